@@ -3,6 +3,7 @@ package dev.twister.cli;
 import dev.twister.bench.Jit;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.ToneMap;
 import dev.twister.sky.ShippedSky;
 import dev.twister.world.Picture;
@@ -35,6 +36,13 @@ final class Completions {
             } catch (IOException _) {
                 return Collections.emptyIterator();
             }
+        }
+    }
+
+    static final class OfIntegrator implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return ChoiceConverter.names(Integrator.class).iterator();
         }
     }
 

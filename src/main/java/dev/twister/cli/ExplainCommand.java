@@ -5,6 +5,7 @@ import dev.twister.explain.PathJson;
 import dev.twister.explain.PathText;
 import dev.twister.explain.PixelPath;
 import dev.twister.image.PictureSize;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
@@ -88,6 +89,10 @@ final class ExplainCommand implements Callable<Integer> {
         Ranges.check("--pixel's column", pixel.column(), 0, settings.width() - 1);
         Ranges.check("--pixel's row", pixel.row(), 0, settings.height() - 1);
         Ranges.check("--sample", sample, 0, settings.samplesPerPixel() - 1);
+        if (settings.integrator() == Integrator.PATH) {
+            throw new BadInputException(
+                    "explain prints the rays of the integrator whitted; the scene has path: add --integrator whitted");
+        }
         World world = SkyFiles.world(scene, spec.commandLine().getErr());
         world.setCamera(camera.over(scene));
         world.setSettings(settings);
@@ -105,9 +110,8 @@ final class ExplainCommand implements Callable<Integer> {
 
     private Rendering settings(Rendering usual) {
         PictureSize wanted = size.orElseGet(() -> new PictureSize(usual.width(), usual.height()));
-        Rendering shaded = usual.withSize(wanted.width(), wanted.height())
-                .withShadows(shading.shadowSamplesOr(usual.shadowSamples()))
-                .withBounces(shading.bouncesOr(usual.bounces()))
+        Rendering shaded = shading.over(usual)
+                .withSize(wanted.width(), wanted.height())
                 .withSamplesPerPixel(Ranges.check(
                         "--samples", samples.orElse(usual.samplesPerPixel()), 1, Rendering.MAX_SAMPLES_PER_PIXEL));
         return tone.over(shaded);

@@ -2,6 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.bench.EngineFailure;
 import dev.twister.bench.Jit;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.ToneMap;
 import dev.twister.sky.ShippedSky;
 import java.io.PrintWriter;
@@ -49,6 +50,7 @@ public final class Main {
                 .setExpandAtFiles(false)
                 .registerConverter(Path.class, new PathConverter())
                 .registerConverter(Jit.class, new ChoiceConverter<>(Jit.class))
+                .registerConverter(Integrator.class, new ChoiceConverter<>(Integrator.class))
                 .registerConverter(ToneMap.class, new ChoiceConverter<>(ToneMap.class))
                 .registerConverter(ShippedSky.class, new ChoiceConverter<>(ShippedSky.class))
                 .setUsageHelpWidth(HELP_WIDTH)

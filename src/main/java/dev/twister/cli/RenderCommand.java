@@ -246,10 +246,9 @@ final class RenderCommand implements Callable<Integer> {
 
     private Rendering settings(Rendering usual) {
         PictureSize wanted = size.orElseGet(() -> new PictureSize(usual.width(), usual.height()));
-        Rendering shaded = usual.withSize(wanted.width(), wanted.height())
-                .withShadows(shading.shadowSamplesOr(usual.shadowSamples()))
-                .withBounces(shading.bouncesOr(usual.bounces()))
-                .withSamplesPerPixel(samples.over(usual.samplesPerPixel()).samples());
+        Rendering shaded = shading.over(usual)
+                .withSize(wanted.width(), wanted.height())
+                .withSamplesPerPixel(samples.over(usual.samplesPerPixel()).atOnce());
         return tone.over(shaded);
     }
 }

@@ -14,7 +14,7 @@ final class SampleOptions {
     @Option(
             names = "--samples",
             paramLabel = "N",
-            description = "View rays per pixel, 1 to " + Rendering.MAX_SAMPLES_PER_PIXEL
+            description = "View rays per pixel, 1 to " + Sampling.MOST
                     + "; with --noise, the limit (default: " + Rendering.MAX_SAMPLES_PER_PIXEL + ").")
     private Optional<Integer> samples = Optional.empty();
 
@@ -47,10 +47,9 @@ final class SampleOptions {
 
     /** The sampling, with the scene's number of samples as the default. */
     Sampling over(int usual) {
-        int most = Rendering.MAX_SAMPLES_PER_PIXEL;
         int least = noise.isPresent() ? Sampling.LEAST_CONVERGING : 1;
         return new Sampling(
-                Ranges.check("--samples", samples.orElse(noise.isPresent() ? most : usual), least, most),
+                Ranges.check("--samples", samples.orElse(noise.isPresent() ? Rendering.MAX_SAMPLES_PER_PIXEL : usual), least, Sampling.MOST),
                 noise.map(bound -> Ranges.check("--noise", bound, LEAST_NOISE, 1)));
     }
 }

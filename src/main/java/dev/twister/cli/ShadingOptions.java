@@ -1,6 +1,8 @@
 package dev.twister.cli;
 
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
+import dev.twister.scene.SceneLimits;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
@@ -17,6 +19,32 @@ final class ShadingOptions {
             paramLabel = "N",
             description = "Most reflections per ray, 0 to " + Rendering.MAX_BOUNCES + ".")
     private Optional<Integer> bounces = Optional.empty();
+
+    @Option(
+            names = "--integrator",
+            paramLabel = "NAME",
+            completionCandidates = Completions.OfIntegrator.class,
+            description = "How light is followed: whitted (reflections and one light's shadows) or path (path tracing).")
+    private Optional<Integrator> integrator = Optional.empty();
+
+    @Option(
+            names = "--clamp",
+            paramLabel = "X",
+            description = "Path tracing: limit, per channel, of light that reaches the eye over more than one surface;"
+                    + " 0 for none. Lower values remove bright specks and lose some light.")
+    private Optional<Double> clamp = Optional.empty();
+
+    /** The settings with what the options say. */
+    Rendering over(Rendering usual) {
+        return usual.withShadows(shadowSamplesOr(usual.shadowSamples()))
+                .withBounces(bouncesOr(usual.bounces()))
+                .withIntegrator(integrator.orElse(usual.integrator()))
+                .withClamp(Ranges.check(
+                        "--clamp",
+                        clamp.orElse(usual.clamp()),
+                        SceneLimits.CLAMP.min(),
+                        SceneLimits.CLAMP.max()));
+    }
 
     int shadowSamplesOr(int usual) {
         return Ranges.check("--shadow-samples", shadowSamples.orElse(usual), 1, Rendering.MAX_SHADOW_SAMPLES);

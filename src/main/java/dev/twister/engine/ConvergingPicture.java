@@ -16,6 +16,9 @@ public final class ConvergingPicture {
     /** Samples per pixel in each half of the first pass. */
     private static final int FIRST_SAMPLES = 4;
 
+    /** Limit of samples per pixel in one call of an engine. */
+    private static final int MOST_AT_ONCE = 1024;
+
     /** Side of the square blocks, in pixels; the noise of the noisiest block counts. */
     private static final int BLOCK = 16;
 
@@ -35,7 +38,7 @@ public final class ConvergingPicture {
      * Renders a picture, or a band of rows, with as many samples as necessary.
      *
      * @param frame receives the picture, linear or not, and the total times of all passes
-     * @param noise the noise to reach, relative to white, above 0
+     * @param noise the noise to reach, relative to white; with 0 the picture gets all samples
      * @param mostSamples limit of samples per pixel, at least 8, even if more noise is left
      * @return the number of samples per pixel
      */
@@ -45,7 +48,8 @@ public final class ConvergingPicture {
         int more = FIRST_SAMPLES;
         do {
             picture.add(engine, more);
-            more = Math.min(picture.samplesOfHalf, mostSamples / 2 - picture.samplesOfHalf);
+            int left = mostSamples / 2 - picture.samplesOfHalf;
+            more = Math.min(Math.min(picture.samplesOfHalf, MOST_AT_ONCE), left);
         } while (more > 0 && picture.noise() > noise);
         picture.write(frame);
         return 2 * picture.samplesOfHalf;

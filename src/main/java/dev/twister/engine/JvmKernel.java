@@ -10,7 +10,7 @@ import dev.twister.world.View;
 
 /** Calls the kernel on the JVM. Each thread needs its own instance. */
 public final class JvmKernel {
-    private final float[] path = new float[Layout.PATH_LENGTH];
+    private final float[] path = new float[Layout.TRACED_PATH_LENGTH];
     private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
 
     /** The path for {@link #follow} and {@link #visible}: {@link Layout#PATH_LENGTH} floats. */
@@ -48,16 +48,18 @@ public final class JvmKernel {
         float[] frame = input.view().frame();
         Bodies bodies = input.bodies();
         int variant = input.variant(false);
+        path[Layout.BOUNCE] = bounce;
         Path.meet(path, body, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.images(), variant);
         return Path.visible(
-                path, body, bounce, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
+                path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
     }
 
     /** Follows the {@link #path} from a bounce on: {@link Path#follow}. */
     public void follow(FrameInput input, int bounce) {
+        path[Layout.BOUNCE] = bounce;
+        path[Layout.WAITING] = 0;
         Path.follow(
                 path,
-                bounce,
                 scratch,
                 input.view().frame(),
                 input.bodies().floats(),

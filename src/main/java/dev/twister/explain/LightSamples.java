@@ -2,6 +2,7 @@ package dev.twister.explain;
 
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.ShadowRay;
 import dev.twister.scene.Vector3;
 import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
@@ -38,7 +39,7 @@ final class LightSamples {
 
     private LightSample ray(int sample) {
         Bodies bodies = input.bodies();
-        float light = dev.twister.kernel.ShadowRay.light(
+        float light = ShadowRay.light(
                 path,
                 own,
                 sample,

@@ -1,12 +1,12 @@
 package dev.twister.explain;
 
-import dev.twister.kernel.Branch;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Path;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
+import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -14,7 +14,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 
-/** Goes through the steps of the kernel's {@link Path#follow}, and writes down what each of them finds. */
+/** Takes the kernel's steps along a path, {@link Path#step}, and writes down what each of them finds. */
 final class PathRecorder {
     private final FrameInput input;
     private final float[] path = new float[Layout.PATH_LENGTH];
@@ -37,49 +37,62 @@ final class PathRecorder {
     List<PathStep> record(int column, int sample) {
         PixelKernel.start(path, column, 0, sample, input.view().frame());
         Source source = new Source(PathStep.NO_PARENT, RayKind.VIEW);
-        int bounce = 0;
-        int waiting = 0;
         boolean goesOn = true;
         while (goesOn) {
-            int body = find();
+            float[] met = path.clone();
+            int body = find(met);
+            Optional<SurfaceRecorder> surface = body >= Layout.PLANE
+                    ? Optional.of(new SurfaceRecorder(input, met, scratch, body))
+                    : Optional.empty();
+            int waiting = waiting();
             clearRadiance();
-            if (body >= Layout.PLANE) {
-                SurfaceRecorder surface = new SurfaceRecorder(input, path, scratch, body, bounce, waiting);
-                steps.add(step(source, bounce, body, surface.ray(), Optional.of(surface.shading())));
-                int parent = steps.size() - 1;
-                if (surface.waiting() > waiting) {
-                    int ray = Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * waiting;
-                    waitingSources.push(new Source(parent, surface.kindOf(scratch, ray)));
-                }
-                waiting = surface.waiting();
-                source = new Source(parent, surface.kindOf(path, 0));
-                goesOn = Path.carriesLight(path) != 0;
-            } else {
-                float[] ray = path.clone();
-                Path.end(path, body, input.view().frame(), input.bodies().looks(), input.images());
-                steps.add(step(source, bounce, body, ray, Optional.empty()));
-                goesOn = false;
-            }
-            bounce++;
-            if (!goesOn && waiting > 0) {
-                Branch.resume(path, scratch, waiting);
-                bounce = Branch.bounce(scratch, waiting);
-                source = waitingSources.pop();
-                waiting--;
-                goesOn = true;
-            }
+            goesOn = step();
+            steps.add(step(source, body, met, surface.map(found -> found.shading(path))));
+            source = waiting() < waiting
+                    ? waitingSources.pop()
+                    : surface.map(found -> leaving(found, waiting)).orElse(source);
         }
         return List.copyOf(steps);
     }
 
-    private int find() {
+    /** The source of the ray that leaves a surface; the other one's is kept if it waits. */
+    private Source leaving(SurfaceRecorder surface, int waiting) {
+        int parent = steps.size() - 1;
+        if (waiting() > waiting) {
+            int ray = Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * waiting;
+            waitingSources.push(new Source(parent, surface.kindOf(scratch, ray)));
+        }
+        return new Source(parent, surface.kindOf(path, 0));
+    }
+
+    private int waiting() {
+        return (int) path[Layout.WAITING];
+    }
+
+    /** The kernel's own step. */
+    private boolean step() {
+        Bodies bodies = input.bodies();
+        return Path.step(
+                        path,
+                        scratch,
+                        input.view().frame(),
+                        bodies.floats(),
+                        bodies.looks(),
+                        bodies.meshes(),
+                        input.images(),
+                        input.variant(false))
+                != 0;
+    }
+
+    private int find(float[] ray) {
+        Bodies bodies = input.bodies();
         return Hit.find(
-                path,
+                ray,
                 scratch,
                 input.view().frame(),
-                input.bodies().floats(),
-                input.bodies().looks(),
-                input.bodies().meshes(),
+                bodies.floats(),
+                bodies.looks(),
+                bodies.meshes(),
                 input.variant(false));
     }
 
@@ -90,13 +103,13 @@ final class PathRecorder {
         }
     }
 
-    private PathStep step(Source source, int bounce, int body, float[] ray, Optional<ShadedSurface> shading) {
+    private PathStep step(Source source, int body, float[] ray, Optional<ShadedSurface> shading) {
         Vector3 origin = input.bodies().origin();
         Rgb adds = Floats.rgb(path, Layout.RADIANCE);
         return new PathStep(
                 source.parent(),
                 source.kind(),
-                bounce,
+                (int) ray[Layout.BOUNCE],
                 Floats.place(ray, Layout.ORIGIN, origin),
                 Floats.vector(ray, Layout.DIRECTION),
                 ray[Layout.INSIDE] > 0,

@@ -13,23 +13,13 @@ public final class Branch {
      *
      * @param path {@link Layout#PATH_LENGTH} floats, with {@link Layout#FACET}
      * @param body the body that the ray has hit
-     * @param bounce number of surfaces that the path has left before
      * @param mirror m in [0, 1]
      * @param transmission t in [0, 1]
      * @param lit in [0, 1]
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
-     * @param waiting number of waiting rays
-     * @return the new number of waiting rays
      */
-    static int split(
-            float[] path,
-            int body,
-            int bounce,
-            float mirror,
-            float transmission,
-            float lit,
-            float[] scratch,
-            int waiting) {
+    static void split(float[] path, int body, float mirror, float transmission, float lit, float[] scratch) {
+        int waiting = (int) path[Layout.WAITING];
         float facing = Facet.directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
         float cosineIn = Math.abs(Facet.directionDot(path, Layout.NORMAL));
         float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.FACET), 0f), 1f);
@@ -69,7 +59,12 @@ public final class Branch {
                     path, refracted, cosineIn, -facing * dot(path, Layout.NORMAL, refractedX, refractedY, refractedZ));
         }
         float least = transmission > 0f ? LEAST_THROUGHPUT : 0f;
-        float strongest = strongest(path, 1f, 1f, 1f) * reflected;
+        float strongest = reflected
+                * strongest(
+                        path,
+                        Scatter.tint(path, 0, Variant.MATERIALS),
+                        Scatter.tint(path, 1, Variant.MATERIALS),
+                        Scatter.tint(path, 2, Variant.MATERIALS));
         float strongestPassed =
                 strongest(path, path[Layout.ALBEDO], path[Layout.ALBEDO + 1], path[Layout.ALBEDO + 2]) * refracted;
         strongest = strongest < least ? 0f : strongest;
@@ -95,7 +90,6 @@ public final class Branch {
                     passes != 0 ? refractedZ : reflectedZ,
                     passes,
                     passes != 0 ? refracted : reflected);
-            scratch[first + Layout.RAY_BOUNCE] = bounce + 1;
         }
         float none = strongest > 0f ? reflected : 0f;
         start(
@@ -109,20 +103,17 @@ public final class Branch {
                 passesFirst != 0 ? refractedZ : reflectedZ,
                 passesFirst,
                 passesFirst != 0 ? refracted : none);
-        return waiting + both;
-    }
-
-    /** Number of surfaces that the newest waiting ray has left; {@code waiting} is the number of waiting rays. */
-    public static int bounce(float[] scratch, int waiting) {
-        return (int) scratch[Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * (waiting - 1) + Layout.RAY_BOUNCE];
+        path[Layout.WAITING] = waiting + both;
     }
 
     /** Continues with the newest waiting ray. */
-    public static void resume(float[] path, float[] scratch, int waiting) {
-        int first = Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * (waiting - 1);
-        for (int i = 0; i < Layout.RAY_BOUNCE; i++) {
+    static void resume(float[] path, float[] scratch) {
+        int waiting = (int) path[Layout.WAITING] - 1;
+        int first = Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * waiting;
+        for (int i = 0; i < Layout.RAY_STRIDE; i++) {
             path[i] = scratch[first + i];
         }
+        path[Layout.WAITING] = waiting;
     }
 
     /**
@@ -149,11 +140,12 @@ public final class Branch {
         for (int i = 0; i < 3; i++) {
             ray[first + Layout.ORIGIN + i] = path[Layout.POINT + i];
             ray[first + Layout.THROUGHPUT + i] =
-                    path[Layout.THROUGHPUT + i] * part * (passes != 0 ? path[Layout.ALBEDO + i] : 1f);
+                    path[Layout.THROUGHPUT + i] * part * (passes != 0 ? path[Layout.ALBEDO + i] : Scatter.tint(path, i, Variant.MATERIALS));
         }
         ray[first + Layout.LEAVING] = body;
         ray[first + Layout.INSIDE] = inside;
         ray[first + Layout.LEAVING_TRIANGLE] = path[Layout.LEAVING_TRIANGLE];
+        ray[first + Layout.BOUNCE] = path[Layout.BOUNCE];
     }
 
     /** Applies the weight of the facet sample on a rough surface; 0 for directions on the wrong side. */

@@ -5,8 +5,8 @@ public final class CameraRay {
     private CameraRay() {}
 
     /**
-     * Starts the path of a pinhole camera's view ray: origin and direction, no body to leave, a throughput of 1. The
-     * radiance is kept.
+     * Starts the path of a pinhole camera's view ray: origin and direction, no body to leave, a throughput of 1, no
+     * surface left and no ray waiting. The radiance is kept.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param x in pixels from the picture's left border
@@ -28,6 +28,8 @@ public final class CameraRay {
         path[Layout.ORIGIN + 2] = frame[Layout.CAMERA_POSITION + 2];
         path[Layout.LEAVING] = Layout.NOTHING;
         path[Layout.INSIDE] = 0f;
+        path[Layout.BOUNCE] = 0f;
+        path[Layout.WAITING] = 0f;
         path[Layout.THROUGHPUT] = 1f;
         path[Layout.THROUGHPUT + 1] = 1f;
         path[Layout.THROUGHPUT + 2] = 1f;

@@ -8,6 +8,8 @@ public final class Facet {
     /** Lower bound of a squared cosine. */
     public static final float LEAST_SQUARE = 1e-12f;
 
+    private static final float LEAST_SPREAD = 1e-30f;
+
     private Facet() {}
 
     /**
@@ -15,21 +17,20 @@ public final class Facet {
      * surface it is the surface's normal.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param bounce number of surfaces that the path has left before
      */
-    public static void find(float[] path, int bounce, float[] frame) {
+    public static void find(float[] path, float[] frame) {
         float side = directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
         path[Layout.FACET] = side * path[Layout.NORMAL];
         path[Layout.FACET + 1] = side * path[Layout.NORMAL + 1];
         path[Layout.FACET + 2] = side * path[Layout.NORMAL + 2];
         if (path[Layout.ROUGHNESS] > 0f) {
-            int place = Noise.surface(bounce);
+            int place = Noise.surface((int) path[Layout.BOUNCE]);
             sample(path, Noise.number(path, place, frame), Noise.number(path, place + 1, frame));
         }
     }
 
     /** Replaces the facet, initially the surface's normal, by a sample from two random numbers in [0, 1). */
-    private static void sample(float[] path, float first, float second) {
+    static void sample(float[] path, float first, float second) {
         float alpha = path[Layout.ROUGHNESS] * path[Layout.ROUGHNESS];
         float normalX = path[Layout.FACET];
         float normalY = path[Layout.FACET + 1];
@@ -77,6 +78,21 @@ public final class Facet {
         float alpha = roughness * roughness;
         float in = 1f + lambda(alpha, cosineIn);
         return in / (in + lambda(alpha, cosineOut));
+    }
+
+    /**
+     * Density of a visible normal, divided by the cosine between it and the incoming ray: {@code G1 * D / N.V}.
+     *
+     * @param alpha squared roughness, above 0
+     * @param cosine cosine between the surface's normal and the facet's
+     * @param cosineIn cosine between the surface's normal and the incoming ray, above 0
+     */
+    static float visibleDensity(float alpha, float cosine, float cosineIn) {
+        float squared = Math.min(cosine * cosine, 1f);
+        // The sine and not alpha^2 - 1, which would lose the digits of a narrow lobe.
+        float spread = alpha * alpha * squared + (1f - squared);
+        float facets = alpha * alpha / (KernelMath.PI * Math.max(spread * spread, LEAST_SPREAD));
+        return facets / (cosineIn * (1f + lambda(alpha, cosineIn)));
     }
 
     private static float lambda(float alpha, float cosine) {

@@ -14,9 +14,16 @@ public final class Hit {
      */
     public static int find(
             float[] path, float[] scratch, float[] frame, float[] bodies, float[] looks, float[] meshes, int variant) {
-        int body = amongFirst(
-                path,
-                (variant & Variant.WALK) != 0 ? Layout.FIRST_SPHERE : (int) frame[Layout.BODIES],
+        return within(path, Intersection.MISS, scratch, frame, bodies, looks, meshes, variant);
+    }
+
+    /**
+     * As above, but only what is nearer than a limit.
+     *
+     * @param limit in meters
+     */
+    static int within(float[] path, float limit, float[] scratch, float[] frame, float[] bodies, float[] looks, float[] meshes, int variant) {
+        int body = amongFirst(path, limit, (variant & Variant.WALK) != 0 ? Layout.FIRST_SPHERE : (int) frame[Layout.BODIES],
                 bodies,
                 looks,
                 variant);
@@ -38,9 +45,9 @@ public final class Hit {
         return leaving;
     }
 
-    private static int amongFirst(float[] path, int count, float[] bodies, float[] looks, int variant) {
+    private static int amongFirst(float[] path, float limit, int count, float[] bodies, float[] looks, int variant) {
         int ignored = ignored(path, variant);
-        float closest = Intersection.MISS;
+        float closest = limit;
         int hit = Layout.NOTHING;
         for (int body = 0; body < count; body++) {
             if (body != ignored) {

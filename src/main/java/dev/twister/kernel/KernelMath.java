@@ -41,6 +41,9 @@ public final class KernelMath {
     public static final float SINE_4 = 42.00978f;
     public static final float SINE_5 = -14.393967f;
 
+    /** The largest exponent of {@link #pow}. */
+    public static final float MOST_EXPONENT = 128f;
+
     private KernelMath() {}
 
     /** The largest integer not above {@code x}, for |x| below 2^31. */

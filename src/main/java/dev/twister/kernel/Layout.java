@@ -77,13 +77,28 @@ public final class Layout {
     /** Place of the textures' table in {@code looks}. */
     public static final int TEXTURES = 37;
 
+    /** For path tracing: limit of what reaches the eye over several surfaces, per channel; 0 for none. */
+    public static final int CLAMP = 38;
+
+    /** Place of the table of emitters in {@code looks}, their number, and the sky's, from 1 on, or 0. */
+    public static final int EMITTER_TABLE = 39;
+
+    public static final int EMITTERS = 40;
+    public static final int SKY_EMITTER = 41;
+
+    /** Place of the sky's table of probabilities in {@code images}, divided by {@value #ALIGNMENT}. */
+    public static final int SKY_TABLE = 42;
+
+    /** Number of the first of the pixel's samples in the infinite sequence. */
+    public static final int FIRST_SAMPLE = 43;
+
     /** Place of the pixel's samples in {@code frame}. */
-    public static final int SAMPLES = 38;
+    public static final int SAMPLES = 44;
 
     /**
      * The points of the unit sunflower, x and y of each shadow sample; then, at {@link #SAMPLES}, the pixel's samples.
      */
-    public static final int DISC = 39;
+    public static final int DISC = 45;
 
     /**
      * A sample of the pixel, {@value #SAMPLE_STRIDE} floats: its position in the pixel, x and y in (0, 1); then pairs
@@ -95,6 +110,9 @@ public final class Layout {
     public static final int SAMPLE_SURFACE = 4;
     public static final int SAMPLE_SURFACES = 6;
     public static final int SAMPLE_STRIDE = SAMPLE_SURFACE + 2 * SAMPLE_SURFACES;
+
+    /** The largest number of bounces. */
+    public static final int MOST_BOUNCES = 64;
 
     /** Numbers of bodies. */
     public static final int LIGHT = 0;
@@ -131,7 +149,24 @@ public final class Layout {
     /** Number of the texture that multiplies the color, from 1 on; 0 for none. */
     public static final int LOOK_TEXTURE = 7;
 
-    public static final int LOOK_STRIDE = 8;
+    /**
+     * How much of a metal the body is, in [0, 1]; {@code -1 - metallic} if in path tracing Fresnel's equations decide
+     * what it reflects.
+     */
+    public static final int LOOK_METALLIC = 8;
+
+    /** Emitted radiance, three floats; the light has one in path tracing alone. */
+    public static final int LOOK_EMISSION = 9;
+
+    /**
+     * Number of the body's first emitter, from 1 on, negative if only the outer sides of triangles emit; 0 for none.
+     */
+    public static final int LOOK_EMITTER = 12;
+
+    /** Absorption inside a transmitting body, per meter and channel. */
+    public static final int LOOK_ABSORPTION = 13;
+
+    public static final int LOOK_STRIDE = 16;
 
     /**
      * After the bodies' looks, from {@link #TEXTURES} on, a table of the textures: the place of the first texel in
@@ -142,6 +177,20 @@ public final class Layout {
     public static final int TEXTURE_WIDTH = 1;
     public static final int TEXTURE_HEIGHT = 2;
     public static final int TEXTURE_STRIDE = 3;
+
+    /**
+     * After the textures' table, from {@link #EMITTER_TABLE} on, the emitters of path tracing, each with the sum of the
+     * probabilities up to and including its own, its probability, its body ({@link #NOTHING} for the sky), and for a
+     * triangle its instance, its number (else -1) and its area in square meters.
+     */
+    public static final int EMITTER_END = 0;
+
+    public static final int EMITTER_PROBABILITY = 1;
+    public static final int EMITTER_BODY = 2;
+    public static final int EMITTER_INSTANCE = 3;
+    public static final int EMITTER_TRIANGLE = 4;
+    public static final int EMITTER_AREA = 5;
+    public static final int EMITTER_STRIDE = 6;
 
     /** Meshes and textures start at multiples of it. */
     public static final int ALIGNMENT = 256;
@@ -242,9 +291,7 @@ public final class Layout {
     /** Limit of waiting rays: the fainter of two rays is followed first, and has at most half of the throughput. */
     public static final int MOST_WAITING_RAYS = 10;
 
-    /** A waiting ray: the first floats of its path, and the number of surfaces that it has left. */
-    public static final int RAY_BOUNCE = 12;
-
+    /** Length of a waiting ray: the first floats of its path. */
     public static final int RAY_STRIDE = 13;
 
     /** Traversal stacks within meshes; a ray's stack shares the place of a shadow's candidates. */
@@ -260,7 +307,7 @@ public final class Layout {
     /**
      * {@code float[] path}, one per thread: the ray; the body that it leaves, whether it continues inside that body (1,
      * else 0), and that body's triangle; the throughput per channel, which is the part of the radiance found from here
-     * on that reaches the pixel; and the radiance so far.
+     * on that reaches the pixel.
      */
     public static final int ORIGIN = 0;
 
@@ -272,81 +319,134 @@ public final class Layout {
     public static final int LEAVING_TRIANGLE = 8;
 
     public static final int THROUGHPUT = 9;
-    public static final int RADIANCE = 12;
+
+    /** Number of surfaces that the path has left. */
+    public static final int BOUNCE = 12;
+
+    public static final int RADIANCE = 13;
 
     /** Column and row of the pixel in the whole picture, and the place of its sample in {@code frame}. */
-    public static final int PIXEL_COLUMN = 15;
+    public static final int PIXEL_COLUMN = 16;
 
-    public static final int PIXEL_ROW = 16;
-    public static final int PIXEL_SAMPLE = 17;
+    public static final int PIXEL_ROW = 17;
+    public static final int PIXEL_SAMPLE = 18;
+
+    /** Number of waiting rays in the scratch. */
+    public static final int WAITING = 19;
 
     /** The closest hit: distance, point, normal and material. */
-    public static final int DISTANCE = 18;
+    public static final int DISTANCE = 20;
 
-    public static final int POINT = 19;
-    public static final int NORMAL = 22;
-    public static final int ALBEDO = 25;
-    public static final int REFLECTIVITY = 28;
+    public static final int POINT = 21;
+    public static final int NORMAL = 24;
+    public static final int ALBEDO = 27;
+    public static final int REFLECTIVITY = 30;
 
     /** The light's center relative to the point: unit vector, distance, and cosine with the normal. */
-    public static final int TO_LIGHT = 29;
+    public static final int TO_LIGHT = 31;
 
-    public static final int LIGHT_DISTANCE = 32;
-    public static final int NORMAL_DOT_LIGHT = 33;
+    public static final int LIGHT_DISTANCE = 34;
+    public static final int NORMAL_DOT_LIGHT = 35;
 
     /**
      * The axes U (with x = 0) and W of the light's disc, and tangent and secant of its half angle, seen from the point.
      */
-    public static final int DISC_U_Y = 34;
+    public static final int DISC_U_Y = 36;
 
-    public static final int DISC_U_Z = 35;
-    public static final int DISC_W = 36;
-    public static final int DISC_TANGENT = 39;
-    public static final int DISC_SECANT = 40;
+    public static final int DISC_U_Z = 37;
+    public static final int DISC_W = 38;
+    public static final int DISC_TANGENT = 41;
+    public static final int DISC_SECANT = 42;
 
     /** The factor from the unit disc to the plane at distance 1. */
-    public static final int DISC_SCALE = 41;
+    public static final int DISC_SCALE = 43;
 
     /** Length of the path if all materials are plain, there are no meshes, and nothing is counted. */
-    public static final int PLAIN_PATH_LENGTH = 42;
+    public static final int PLAIN_PATH_LENGTH = 44;
 
     /** Whether the ray comes from inside the body (1, else 0), and the other material properties. */
-    public static final int FROM_INSIDE = 42;
+    public static final int FROM_INSIDE = 44;
 
-    public static final int ROUGHNESS = 43;
-    public static final int TRANSMISSION = 44;
-    public static final int IOR = 45;
+    public static final int ROUGHNESS = 45;
+    public static final int TRANSMISSION = 46;
+    public static final int IOR = 47;
 
     /** Normal of the microfacet that reflects and refracts, turned toward the ray's origin. */
-    public static final int FACET = 46;
+    public static final int FACET = 48;
 
     /** The count of {@link Aspect}, over all samples. */
-    public static final int COUNT = 49;
+    public static final int COUNT = 51;
 
     /** The instance that the ray hits, and its triangle. */
-    public static final int INSTANCE = 50;
+    public static final int INSTANCE = 52;
 
-    public static final int TRIANGLE = 51;
+    public static final int TRIANGLE = 53;
 
     /** The triangle's unit face normal, on the side from which its corners appear counterclockwise. */
-    public static final int FACE = 52;
+    public static final int FACE = 54;
 
     /** The hit point's texture coordinates u and v on the mesh. */
-    public static final int TEXTURE_PLACE = 55;
+    public static final int TEXTURE_PLACE = 57;
 
     /** The ray in the coordinates of a mesh, see {@link MeshRay}: origin, direction and its dominant axis. */
-    public static final int MESH_ORIGIN = 57;
+    public static final int MESH_ORIGIN = 59;
 
-    public static final int MESH_DIRECTION = 60;
-    public static final int MESH_AXIS = 63;
+    public static final int MESH_DIRECTION = 62;
+    public static final int MESH_AXIS = 65;
 
     /** The origin along the two axes after the dominant one, and along that. */
-    public static final int MESH_SHEARED = 64;
+    public static final int MESH_SHEARED = 66;
 
     /** The direction's components along the two other axes divided by the dominant one, and the inverse of that. */
-    public static final int MESH_SHEAR = 67;
+    public static final int MESH_SHEAR = 69;
 
-    public static final int PATH_LENGTH = 70;
+    /** How much of a metal the surface is, and whether Fresnel's equations decide what it reflects (1, else 0). */
+    public static final int METALLIC = 72;
+
+    public static final int IS_FRESNEL = 73;
+
+    public static final int PATH_LENGTH = 74;
+
+    /** For path tracing: index of refraction on the ray's side divided by that on the other side. */
+    public static final int RATIO = 74;
+
+    /** 1 for the plane, which has no inside, else 0. */
+    public static final int IS_SHEET = 75;
+
+    /** Weights of the constant reflection, of the dielectric one, of the matte part and of transmission. */
+    public static final int PART_MIRROR = 76;
+
+    public static final int PART_COAT = 77;
+    public static final int PART_MATTE = 78;
+    public static final int PART_GLASS = 79;
+
+    /** Probabilities of the lobes. */
+    public static final int CHOICE_MIRROR = 80;
+
+    public static final int CHOICE_MATTE = 81;
+    public static final int CHOICE_GLASS = 82;
+
+    /** {@code f * |cos|} per channel. */
+    public static final int SCATTERED = 83;
+
+    /** Density per steradian with which the surface chose the path's ray; 0 if it had no choice. */
+    public static final int SURFACE_DENSITY = 86;
+
+    /** The next ray: its direction, and whether it is inside the body (1, else 0). */
+    public static final int NEXT_DIRECTION = 87;
+
+    public static final int NEXT_INSIDE = 90;
+
+    /** Density per steradian of the chosen emitter's direction, its radiance, and what it adds unless blocked. */
+    public static final int LIGHT_DENSITY = 91;
+
+    public static final int EMITTED = 92;
+    public static final int DIRECT = 95;
+
+    /** Unit normal of the chosen triangle. */
+    public static final int EMITTER_FACE = 98;
+
+    public static final int TRACED_PATH_LENGTH = 101;
 
     /** The largest reflectivity, that of a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;

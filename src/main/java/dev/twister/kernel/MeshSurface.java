@@ -39,7 +39,7 @@ public final class MeshSurface {
         path[Layout.POINT] = Instance.point(bodies, back, x, y, z);
         path[Layout.POINT + 1] = Instance.point(bodies, back + 4, x, y, z);
         path[Layout.POINT + 2] = Instance.point(bodies, back + 8, x, y, z);
-        writeFace(path, instance, triangle, bodies, meshes);
+        writeFace(path, Layout.FACE, instance, triangle, bodies, meshes);
         writeNormal(path, instance, triangle, b, c, bodies, meshes);
         writeTexturePlace(path, instance, triangle, b, c, bodies, meshes);
         path[Layout.LEAVING_TRIANGLE] = path[Layout.TRIANGLE];
@@ -51,7 +51,8 @@ public final class MeshSurface {
         return a + b * (meshes[at + stride] - a) + c * (meshes[at + 2 * stride] - a);
     }
 
-    private static void writeFace(float[] path, int instance, int triangle, float[] bodies, float[] meshes) {
+    /** Writes a triangle's unit face normal in world space, on the side from which its corners are counterclockwise. */
+    static void writeFace(float[] path, int at, int instance, int triangle, float[] bodies, float[] meshes) {
         float firstX = meshes[triangle + 3] - meshes[triangle];
         float firstY = meshes[triangle + 4] - meshes[triangle + 1];
         float firstZ = meshes[triangle + 5] - meshes[triangle + 2];
@@ -64,7 +65,7 @@ public final class MeshSurface {
         // Scaled first, because the squares of small triangles underflow.
         float largest = Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.abs(z));
         float scale = largest > 0f ? 1f / largest : 0f;
-        write(path, Layout.FACE, instance, x * scale, y * scale, z * scale, bodies);
+        write(path, at, instance, x * scale, y * scale, z * scale, bodies);
     }
 
     /** Writes a mesh's normal as a unit vector in world space. */

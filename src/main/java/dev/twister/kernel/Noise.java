@@ -16,6 +16,9 @@ public final class Noise {
     /** All shifts are multiples of it. */
     public static final float STEP = 0x1p-16f;
 
+    /** Numbers for each surface of a traced path. */
+    private static final int PLACES = 6;
+
     private Noise() {}
 
     /**
@@ -29,6 +32,45 @@ public final class Noise {
         float number = frame[(int) path[Layout.PIXEL_SAMPLE] + place]
                 + STEP * hash((int) path[Layout.PIXEL_COLUMN], (int) path[Layout.PIXEL_ROW], place);
         return number >= 1f ? number - 1f : number;
+    }
+
+    /**
+     * One of the numbers of path tracing, of which no two are the same: the first ones are those of {@link #number}, the
+     * others are hashed.
+     *
+     * @param place {@link #emitter}, {@link #scatter} or {@link #roulette}, or the next ones
+     */
+    static float fresh(float[] path, int place, float[] frame) {
+        float number = 0f;
+        if (place < Layout.SAMPLE_STRIDE) {
+            number = number(path, place, frame);
+        }
+        if (place >= Layout.SAMPLE_STRIDE) {
+            int column = (int) path[Layout.PIXEL_COLUMN];
+            int row = (int) path[Layout.PIXEL_ROW];
+            int sample = (int) frame[Layout.FIRST_SAMPLE]
+                    + ((int) path[Layout.PIXEL_SAMPLE] - (int) frame[Layout.SAMPLES]) / Layout.SAMPLE_STRIDE;
+            int pixel = hash(column, row, place);
+            int high = mixed(mixed(pixel ^ (sample & BITS)) ^ mixed((sample >> 16) ^ mixed(place)));
+            int low = mixed(high ^ hash(row, column, place + 1)) & 255;
+            number = STEP * high + STEP * STEP * 256f * low;
+        }
+        return number;
+    }
+
+    /** Place of the three numbers that choose an emitter. */
+    static int emitter(int bounce) {
+        return Layout.SAMPLE_SURFACE + PLACES * bounce;
+    }
+
+    /** Place of the three numbers that choose a lobe and a direction. */
+    static int scatter(int bounce) {
+        return Layout.SAMPLE_SURFACE + PLACES * bounce + 3;
+    }
+
+    /** Place of the number that ends the path. */
+    static int roulette(int bounce) {
+        return Layout.SAMPLE_SURFACE + PLACES * (Layout.MOST_BOUNCES + 1) + bounce;
     }
 
     /**

@@ -7,15 +7,13 @@ public final class Path {
     /**
      * Follows the path's ray, and adds the light found to {@link Layout#RADIANCE}. {@link Layout} describes the arrays.
      *
-     * @param path {@link Layout#PATH_LENGTH} floats: the ray, the body that it leaves, throughput and radiance so far,
-     *     the pixel and its sample
-     * @param firstBounce number of surfaces that the path has already left, in [0, bounces]
+     * @param path {@link Layout#PATH_LENGTH} floats: the ray, the body that it leaves, throughput, number of surfaces
+     *     that it has left, radiance so far, the pixel and its sample; no ray is waiting
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param variant bits of {@link Variant} of a full picture or of a count in {@link Layout#COUNT}
      */
     public static void follow(
             float[] path,
-            int firstBounce,
             float[] scratch,
             float[] frame,
             float[] bodies,
@@ -23,34 +21,50 @@ public final class Path {
             float[] meshes,
             float[] images,
             int variant) {
-        int bounce = firstBounce;
-        int waiting = 0;
         int goesOn = 1;
         while (goesOn != 0) {
-            int body = Hit.find(path, scratch, frame, bodies, looks, meshes, variant);
-            goesOn = 0;
-            if (body >= Layout.PLANE) {
-                meet(path, body, frame, bodies, looks, meshes, images, variant);
-                float visible = visible(path, body, bounce, scratch, frame, bodies, looks, meshes, variant);
-                waiting = scatter(path, body, bounce, visible, scratch, waiting, frame, looks, variant);
-                goesOn = carriesLight(path);
-            }
-            if (body < Layout.PLANE) {
-                end(path, body, frame, looks, images);
-            }
-            bounce = bounce + 1;
-            if (((goesOn == 0 ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
-                Branch.resume(path, scratch, waiting);
-                bounce = Branch.bounce(scratch, waiting);
-                waiting = waiting - 1;
-                goesOn = 1;
-            }
-            Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
+            goesOn = step(path, scratch, frame, bodies, looks, meshes, images, variant);
         }
     }
 
+    /**
+     * Follows the path's ray to the body that it hits, and replaces it by the next one, which starts there or has been
+     * waiting.
+     *
+     * @return 1 if there is a next ray, else 0
+     */
+    public static int step(
+            float[] path,
+            float[] scratch,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            float[] images,
+            int variant) {
+        int body = Hit.find(path, scratch, frame, bodies, looks, meshes, variant);
+        int goesOn = 0;
+        if (body >= Layout.PLANE) {
+            meet(path, body, frame, bodies, looks, meshes, images, variant);
+            float visible = visible(path, body, scratch, frame, bodies, looks, meshes, variant);
+            scatter(path, body, visible, scratch, frame, looks, variant);
+            goesOn = path[Layout.THROUGHPUT] + path[Layout.THROUGHPUT + 1] + path[Layout.THROUGHPUT + 2] > 0f ? 1 : 0;
+        }
+        if (body < Layout.PLANE) {
+            end(path, body, frame, looks, images);
+        }
+        if ((variant & Variant.MATERIALS) != 0) {
+            if (((goesOn == 0 ? 1 : 0) & (path[Layout.WAITING] > 0f ? 1 : 0)) != 0) {
+                Branch.resume(path, scratch);
+                goesOn = 1;
+            }
+        }
+        Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
+        return goesOn;
+    }
+
     /** Adds the light's own color, or the sky, for a ray that hits no surface. */
-    public static void end(float[] path, int body, float[] frame, float[] looks, float[] images) {
+    private static void end(float[] path, int body, float[] frame, float[] looks, float[] images) {
         if (body == Layout.NOTHING) {
             SkyLookup.add(path, frame, images);
         }
@@ -83,7 +97,6 @@ public final class Path {
     public static float visible(
             float[] path,
             int body,
-            int bounce,
             float[] scratch,
             float[] frame,
             float[] bodies,
@@ -91,7 +104,7 @@ public final class Path {
             float[] meshes,
             int variant) {
         float visible = 1f;
-        if (isShaded(path, bounce, frame, variant) != 0) {
+        if (isShaded(path, frame, variant) != 0) {
             visible = Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
         }
         return visible;
@@ -102,54 +115,41 @@ public final class Path {
      * in the scratch.
      *
      * @param visible S in [0, 1]
-     * @param waiting number of waiting rays
-     * @return the new number of waiting rays
      */
-    public static int scatter(
-            float[] path,
-            int body,
-            int bounce,
-            float visible,
-            float[] scratch,
-            int waiting,
-            float[] frame,
-            float[] looks,
-            int variant) {
-        float mirror = mirror(path, bounce, frame);
-        float transmission = transmission(path, bounce, frame, variant);
+    private static void scatter(
+            float[] path, int body, float visible, float[] scratch, float[] frame, float[] looks, int variant) {
+        float mirror = mirror(path, frame);
+        float transmission = transmission(path, frame, variant);
         float lit = Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
-        Scatter.shade(path, visible, mirror, transmission, lit, looks);
-        int waitingNow = waiting;
+        Scatter.shade(path, visible, mirror, transmission, lit, looks, variant);
         if ((variant & Variant.MATERIALS) != 0) {
-            Facet.find(path, bounce, frame);
-            waitingNow = Branch.split(path, body, bounce, mirror, transmission, lit, scratch, waiting);
+            Scatter.emit(path, body, frame, looks, variant);
+            Facet.find(path, frame);
+        }
+        path[Layout.BOUNCE] = path[Layout.BOUNCE] + 1f;
+        if ((variant & Variant.MATERIALS) != 0) {
+            Branch.split(path, body, mirror, transmission, lit, scratch);
         } else {
             Scatter.reflect(path, body, mirror * lit);
         }
-        return waitingNow;
     }
 
     /** 0 for perfectly clear glass, whose color does not depend on shadows, else 1. */
-    public static int isShaded(float[] path, int bounce, float[] frame, int variant) {
-        return (transmission(path, bounce, frame, variant) < 1f ? 1 : 0) | (path[Layout.REFLECTIVITY] > 0f ? 1 : 0);
+    public static int isShaded(float[] path, float[] frame, int variant) {
+        return (transmission(path, frame, variant) < 1f ? 1 : 0) | (path[Layout.REFLECTIVITY] > 0f ? 1 : 0);
     }
 
     /** m of the surface hit, in [0, 1]; 0 at the last bounce. */
-    public static float mirror(float[] path, int bounce, float[] frame) {
-        return bounce < frame[Layout.BOUNCES] ? path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY : 0f;
+    public static float mirror(float[] path, float[] frame) {
+        return path[Layout.BOUNCE] < frame[Layout.BOUNCES] ? path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY : 0f;
     }
 
     /** t of the surface hit, in [0, 1]; 0 at the last bounce. */
-    public static float transmission(float[] path, int bounce, float[] frame, int variant) {
+    public static float transmission(float[] path, float[] frame, int variant) {
         float transmission = 0f;
         if ((variant & Variant.MATERIALS) != 0) {
-            transmission = bounce < frame[Layout.BOUNCES] ? path[Layout.TRANSMISSION] : 0f;
+            transmission = path[Layout.BOUNCE] < frame[Layout.BOUNCES] ? path[Layout.TRANSMISSION] : 0f;
         }
         return transmission;
-    }
-
-    /** 1 if light found by the path's ray reaches the pixel, else 0. */
-    public static int carriesLight(float[] path) {
-        return path[Layout.THROUGHPUT] + path[Layout.THROUGHPUT + 1] + path[Layout.THROUGHPUT + 2] > 0f ? 1 : 0;
     }
 }

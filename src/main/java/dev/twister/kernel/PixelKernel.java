@@ -85,8 +85,10 @@ public final class PixelKernel {
             int variant) {
         if (Aspect.endsAtFirstHit(variant) != 0) {
             FirstHit.add(path, scratch, frame, bodies, looks, meshes, images, variant);
+        } else if ((variant & Variant.PATH) != 0) {
+            PathTracer.follow(path, scratch, frame, bodies, looks, meshes, images, variant);
         } else {
-            Path.follow(path, 0, scratch, frame, bodies, looks, meshes, images, variant);
+            Path.follow(path, scratch, frame, bodies, looks, meshes, images, variant);
         }
     }
 }

@@ -5,7 +5,7 @@ public final class Scatter {
     private Scatter() {}
 
     /**
-     * Adds {@code T * (lightColor * spec + (1 - m) * (1 - t) * C * lit)} to the radiance, with the throughput T.
+     * Adds {@code T * (tint * lightColor * spec + (1 - m) * (1 - t) * C * lit)} to the radiance, with the throughput T.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param visible S in [0, 1]
@@ -14,14 +14,43 @@ public final class Scatter {
      * @param lit result of {@link Illumination#lit}
      * @param looks {@link Layout#LOOK_STRIDE} floats per body
      */
-    public static void shade(float[] path, float visible, float mirror, float transmission, float lit, float[] looks) {
+    public static void shade(
+            float[] path,
+            float visible,
+            float mirror,
+            float transmission,
+            float lit,
+            float[] looks,
+            int variant) {
         float specular = Illumination.highlight(path, visible);
         float matte = (1f - mirror) * (1f - transmission) * lit;
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
                     + path[Layout.THROUGHPUT + channel]
-                            * (looks[Layout.LOOK_STRIDE * Layout.LIGHT + channel] * specular
+                            * (tint(path, channel, variant)
+                                            * looks[Layout.LOOK_STRIDE * Layout.LIGHT + channel]
+                                            * specular
                                     + matte * path[Layout.ALBEDO + channel]);
+        }
+    }
+
+    /** {@code 1 + M * (C - 1)} of a channel: what a metal's reflections are multiplied by. */
+    static float tint(float[] path, int channel, int variant) {
+        float tint = 1f;
+        if ((variant & Variant.MATERIALS) != 0) {
+            tint = 1f + path[Layout.METALLIC] * (path[Layout.ALBEDO + channel] - 1f);
+        }
+        return tint;
+    }
+
+    /** Adds the light that the surface emits. */
+    static void emit(float[] path, int body, float[] frame, float[] looks, int variant) {
+        if (Emitter.shines(path, body, frame, looks, variant) != 0) {
+            for (int channel = 0; channel < 3; channel++) {
+                path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
+                        + path[Layout.THROUGHPUT + channel]
+                                * looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + channel];
+            }
         }
     }
 

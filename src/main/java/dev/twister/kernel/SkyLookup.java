@@ -27,6 +27,26 @@ public final class SkyLookup {
     }
 
     /**
+     * Writes the sky's radiance in a direction.
+     *
+     * @param direction place of the unit vector in the path
+     * @param at place of the radiance, three floats
+     */
+    static void write(float[] path, int direction, int at, float[] frame, float[] images) {
+        int width = (int) frame[Layout.SKY_WIDTH];
+        int height = (int) frame[Layout.SKY_HEIGHT];
+        float x = path[direction];
+        float y = path[direction + 1];
+        float z = path[direction + 2];
+        float column = column(x, z, frame[Layout.SKY_TURN], width);
+        float row = row(x, y, z, height);
+        float strength = frame[Layout.SKY_STRENGTH];
+        for (int channel = 0; channel < 3; channel++) {
+            path[at + channel] = strength * radiance(width, height, column, row, channel, images);
+        }
+    }
+
+    /**
      * The column relative to the first texel's center, in [-0.5, width - 0.5]: {@code (0.5 + atan2(x, z) / 2 pi - turn)
      * * width - 0.5}, wrapped.
      *

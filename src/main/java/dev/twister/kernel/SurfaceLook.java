@@ -32,6 +32,9 @@ public final class SurfaceLook {
             path[Layout.ROUGHNESS] = looks[look + Layout.LOOK_ROUGHNESS];
             path[Layout.TRANSMISSION] = looks[look + Layout.LOOK_TRANSMISSION];
             path[Layout.IOR] = looks[look + Layout.LOOK_IOR];
+            float metallic = looks[look + Layout.LOOK_METALLIC];
+            path[Layout.IS_FRESNEL] = metallic < 0f ? 1f : 0f;
+            path[Layout.METALLIC] = metallic < 0f ? -1f - metallic : metallic;
             int texture = (int) looks[look + Layout.LOOK_TEXTURE];
             if (texture > 0) {
                 Texture.multiply(path, body, texture, frame, looks, images, variant);

@@ -17,7 +17,10 @@ public final class Variant {
     /** The output is linear floats; otherwise 8-bit ARGB. */
     public static final int LINEAR = 8;
 
-    private static final int ASPECT_SHIFT = 4;
+    /** Paths are traced; implies {@link #MATERIALS}. */
+    public static final int PATH = 16;
+
+    private static final int ASPECT_SHIFT = 5;
 
     private Variant() {}
 

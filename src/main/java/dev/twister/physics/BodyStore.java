@@ -240,4 +240,16 @@ final class BodyStore {
         double ratio = largestRadius / radius;
         return ratio * ratio * ratio;
     }
+
+    /**
+     * Adds a weighted vector to three consecutive values of a body.
+     *
+     * @param numbers see {@link #numbers}
+     * @param at index of the first value
+     */
+    static void add(double[] numbers, int at, double weight, double x, double y, double z) {
+        numbers[at] += weight * x;
+        numbers[at + 1] += weight * y;
+        numbers[at + 2] += weight * z;
+    }
 }

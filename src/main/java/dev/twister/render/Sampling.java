@@ -3,6 +3,7 @@ package dev.twister.render;
 import dev.twister.engine.ConvergingPicture;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
+import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.util.Optional;
 
@@ -16,15 +17,23 @@ public record Sampling(int samples, Optional<Double> noise) {
     /** Smallest limit with a noise bound; fewer samples give no estimate of the noise. */
     public static final int LEAST_CONVERGING = 8;
 
+    /** The largest number of samples per pixel. */
+    public static final int MOST = 65536;
+
+    /** In one call of an engine. */
+    public int atOnce() {
+        return Math.min(samples, Rendering.MAX_SAMPLES_PER_PIXEL);
+    }
+
     /**
      * Renders a band.
      *
-     * @param input with {@link #samples} per pixel, unless there is a noise bound
+     * @param input with {@link #atOnce} samples per pixel, unless there is a noise bound
      * @return the number of samples of each pixel
      */
     int draw(Engine engine, FrameInput input, Frame frame) {
-        if (noise.isPresent()) {
-            return ConvergingPicture.draw(engine, input, frame, noise.get(), samples);
+        if (noise.isPresent() || samples > atOnce()) {
+            return ConvergingPicture.draw(engine, input, frame, noise.orElse(0.0), samples);
         }
         engine.render(input, frame);
         return samples;

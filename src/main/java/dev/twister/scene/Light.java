@@ -1,15 +1,19 @@
 package dev.twister.scene;
 
+import java.util.Optional;
+
 /**
  * The one light: a sphere that is drawn in its own color, unshaded.
  *
  * @param position its center, in meters
  * @param radius in meters, above 0
  * @param color linear radiance
+ * @param strength in m^2, for path tracing: the irradiance over pi, at one meter, of a surface that faces the light, is
+ *     the color times this; without one the ground below the light is about as bright as without path tracing
  */
-public record Light(Vector3 position, double radius, Rgb color) {
+public record Light(Vector3 position, double radius, Rgb color, Optional<Double> strength) {
     /** A white light of radius 1, 10 m above the origin. */
-    public static final Light DEFAULT = new Light(new Vector3(0, 10, 0), 1, new Rgb(1, 1, 1));
+    public static final Light DEFAULT = new Light(new Vector3(0, 10, 0), 1, new Rgb(1, 1, 1), Optional.empty());
 
     /** A light whose other properties are the defaults. */
     public static Light of(Vector3 position, double radius, Rgb color) {
@@ -17,14 +21,18 @@ public record Light(Vector3 position, double radius, Rgb color) {
     }
 
     public Light withPosition(Vector3 newPosition) {
-        return new Light(newPosition, radius, color);
+        return new Light(newPosition, radius, color, strength);
     }
 
     public Light withRadius(double newRadius) {
-        return new Light(position, newRadius, color);
+        return new Light(position, newRadius, color, strength);
     }
 
     public Light withColor(Rgb newColor) {
-        return new Light(position, radius, newColor);
+        return new Light(position, radius, newColor, strength);
+    }
+
+    public Light withStrength(Optional<Double> newStrength) {
+        return new Light(position, radius, color, newStrength);
     }
 }

@@ -9,36 +9,70 @@ import java.util.Optional;
  * @param color albedo
  * @param reflectivity p in [0, 128]: the Blinn-Phong exponent; p / 128 is the mirror ratio
  * @param roughness r in [0, 1] of the surface that reflects and refracts: 0 is smooth
+ * @param metallic M in [0, 1]: how much of a metal it is, whose reflections have its color
  * @param transmission t in [0, 1]: how much of the light that is not mirrored passes the surface
  * @param ior index of refraction against what is around the body, in [1, 4]
  * @param texture a picture that the color is multiplied by, already resolved against the scene file's folder
+ * @param emission light that it emits
+ * @param attenuation what light loses inside
  */
 public record Material(
-        Rgb color, double reflectivity, double roughness, double transmission, double ior, Optional<Path> texture) {
+        Rgb color,
+        double reflectivity,
+        double roughness,
+        double metallic,
+        double transmission,
+        double ior,
+        Optional<Path> texture,
+        Emission emission,
+        Attenuation attenuation) {
     /** Matte and white, with the index of glass; has the values of the fields that a file leaves out. */
-    public static final Material DEFAULT = new Material(new Rgb(1, 1, 1), 0, 0, 0, 1.5, Optional.empty());
+    public static final Material DEFAULT = new Material(
+            new Rgb(1, 1, 1), 0, 0, 0, 0, 1.5, Optional.empty(), Emission.NONE, Attenuation.NONE);
 
     public Material withColor(Rgb newColor) {
-        return new Material(newColor, reflectivity, roughness, transmission, ior, texture);
+        return new Material(newColor, reflectivity, roughness, metallic, transmission, ior, texture, emission, attenuation);
     }
 
     public Material withReflectivity(double newReflectivity) {
-        return new Material(color, newReflectivity, roughness, transmission, ior, texture);
+        return new Material(color, newReflectivity, roughness, metallic, transmission, ior, texture, emission, attenuation);
     }
 
     public Material withRoughness(double newRoughness) {
-        return new Material(color, reflectivity, newRoughness, transmission, ior, texture);
+        return new Material(color, reflectivity, newRoughness, metallic, transmission, ior, texture, emission, attenuation);
+    }
+
+    public Material withMetallic(double newMetallic) {
+        return new Material(color, reflectivity, roughness, newMetallic, transmission, ior, texture, emission, attenuation);
     }
 
     public Material withTransmission(double newTransmission) {
-        return new Material(color, reflectivity, roughness, newTransmission, ior, texture);
+        return new Material(color, reflectivity, roughness, metallic, newTransmission, ior, texture, emission, attenuation);
     }
 
     public Material withIor(double newIor) {
-        return new Material(color, reflectivity, roughness, transmission, newIor, texture);
+        return new Material(color, reflectivity, roughness, metallic, transmission, newIor, texture, emission, attenuation);
     }
 
     public Material withTexture(Optional<Path> newTexture) {
-        return new Material(color, reflectivity, roughness, transmission, ior, newTexture);
+        return new Material(color, reflectivity, roughness, metallic, transmission, ior, newTexture, emission, attenuation);
+    }
+
+    public Material withEmission(Emission newEmission) {
+        return new Material(color, reflectivity, roughness, metallic, transmission, ior, texture, newEmission, attenuation);
+    }
+
+    public Material withAttenuation(Attenuation newAttenuation) {
+        return new Material(color, reflectivity, roughness, metallic, transmission, ior, texture, emission, newAttenuation);
+    }
+
+    /** Whether, in path tracing, Fresnel's equations decide what it reflects: glTF's material, without reflectivity. */
+    public boolean isByFresnel() {
+        return reflectivity == 0 && (metallic > 0 || roughness > 0);
+    }
+
+    /** The reflectivity without path tracing, where a metal without one shines the more the smoother it is. */
+    public double whittedReflectivity() {
+        return reflectivity == 0 && metallic > 0 ? (5 + 91 * metallic) * (1 - roughness) : reflectivity;
     }
 }

@@ -11,6 +11,8 @@ package dev.twister.scene;
  * @param exposure in stops, -20 to 20: linear color is multiplied by 2^exposure
  * @param toneMap applied after the exposure
  * @param srgb whether the sRGB curve is applied after the tone map
+ * @param integrator how light is followed
+ * @param clamp for path tracing: limit, per channel, of light that reaches the eye over more than one surface; 0 for none
  */
 public record Rendering(
         int width,
@@ -20,53 +22,66 @@ public record Rendering(
         int samplesPerPixel,
         double exposure,
         ToneMap toneMap,
-        boolean srgb) {
+        boolean srgb,
+        Integrator integrator,
+        double clamp) {
     public static final int MAX_SIDE = 16384;
     public static final int MAX_SHADOW_SAMPLES = 1024;
     public static final int MAX_BOUNCES = 64;
     public static final int MAX_SAMPLES_PER_PIXEL = 1024;
     public static final double MAX_EXPOSURE_STOPS = 20;
+    public static final double DEFAULT_CLAMP = 10;
 
     /** 1280 x 720, 200 shadow samples and 3 bounces as in the paper, clamped, with the sRGB curve. */
-    public static final Rendering DEFAULT = new Rendering(1280, 720, 200, 3, 1, 0, ToneMap.CLAMP, true);
+    public static final Rendering DEFAULT = new Rendering(1280, 720, 200, 3, 1, 0, ToneMap.CLAMP, true, Integrator.WHITTED, DEFAULT_CLAMP);
 
     public Rendering withSize(int newWidth, int newHeight) {
         return withWidth(newWidth).withHeight(newHeight);
     }
 
     public Rendering withWidth(int newWidth) {
-        return new Rendering(newWidth, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb);
+        return new Rendering(newWidth, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
     }
 
     public Rendering withHeight(int newHeight) {
-        return new Rendering(width, newHeight, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb);
+        return new Rendering(width, newHeight, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
     }
 
     public Rendering withShadows(int newShadowSamples) {
-        return new Rendering(width, height, newShadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb);
+        return new Rendering(width, height, newShadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
     }
 
     public Rendering withBounces(int newBounces) {
-        return new Rendering(width, height, shadowSamples, newBounces, samplesPerPixel, exposure, toneMap, srgb);
+        return new Rendering(width, height, shadowSamples, newBounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
     }
 
     public Rendering withSamplesPerPixel(int newSamplesPerPixel) {
-        return new Rendering(width, height, shadowSamples, bounces, newSamplesPerPixel, exposure, toneMap, srgb);
+        return new Rendering(width, height, shadowSamples, bounces, newSamplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
     }
 
     public Rendering withExposure(double newExposure) {
-        return new Rendering(width, height, shadowSamples, bounces, samplesPerPixel, newExposure, toneMap, srgb);
+        return new Rendering(width, height, shadowSamples, bounces, samplesPerPixel, newExposure, toneMap, srgb, integrator, clamp);
     }
 
     public Rendering withToneMap(ToneMap newToneMap) {
-        return new Rendering(width, height, shadowSamples, bounces, samplesPerPixel, exposure, newToneMap, srgb);
+        return new Rendering(width, height, shadowSamples, bounces, samplesPerPixel, exposure, newToneMap, srgb, integrator, clamp);
     }
 
     public Rendering withSrgb(boolean newSrgb) {
-        return new Rendering(width, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, newSrgb);
+        return new Rendering(width, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, newSrgb, integrator, clamp);
     }
 
     public Rendering withTone(double newExposure, ToneMap newToneMap, boolean newSrgb) {
         return withExposure(newExposure).withToneMap(newToneMap).withSrgb(newSrgb);
+    }
+
+    public Rendering withIntegrator(Integrator newIntegrator) {
+        return new Rendering(
+                width, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, newIntegrator, clamp);
+    }
+
+    public Rendering withClamp(double newClamp) {
+        return new Rendering(
+                width, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, newClamp);
     }
 }

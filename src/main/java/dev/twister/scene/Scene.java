@@ -30,7 +30,7 @@ public record Scene(
         Physics physics,
         Optional<Pour> pour) {
     /** The newest version of the file format; the older ones are read too. */
-    public static final int VERSION = 2;
+    public static final int VERSION = 3;
 
     public Scene {
         materials = Collections.unmodifiableSequencedMap(new LinkedHashMap<>(materials));

@@ -21,6 +21,10 @@ public final class SceneLimits {
     public static final Range RADIANCE = new Range(0, 1e6);
     public static final Range REFLECTIVITY = new Range(0, 128);
     public static final Range ROUGHNESS = new Range(0, 1);
+    public static final Range METALLIC = new Range(0, 1);
+    public static final Range EMISSION_STRENGTH = new Range(0, 1e6);
+    public static final Range LIGHT_STRENGTH = new Range(0, 1e9, "m^2");
+    public static final Range CLAMP = new Range(0, 1e6);
     public static final Range TRANSMISSION = new Range(0, 1);
     public static final Range IOR = new Range(1, 4);
     public static final Range AMBIENT = new Range(0, 1);

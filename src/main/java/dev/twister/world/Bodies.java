@@ -80,6 +80,10 @@ public record Bodies(
         return hierarchy == other.hierarchy;
     }
 
+    Bodies withLooks(float[] newLooks) {
+        return new Bodies(floats, newLooks, meshes, room, end, firstMesh, plain, origin, hierarchy);
+    }
+
     Bodies withFloats(float[] newFloats) {
         return new Bodies(newFloats, looks, meshes, room, end, firstMesh, plain, origin, new HierarchyIdentity());
     }

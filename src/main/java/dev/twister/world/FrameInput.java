@@ -69,6 +69,11 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
         return (int) view.frame()[Layout.ROOT];
     }
 
+    /** Whether paths are traced. */
+    public boolean tracesPaths() {
+        return view.frame()[Layout.EMITTER_TABLE] > 0;
+    }
+
     /**
      * The kernel's argument {@code variant}: bits of {@link Variant}. They stay the same while spheres are poured,
      * because a device would compile the kernel again. With few spheres the brute-force loop is inlined into the
@@ -79,7 +84,8 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
     public int variant(boolean linear) {
         return (hasFewSpheres() ? 0 : Variant.WALK)
                 | (bodies.firstMesh() == Layout.NO_MESHES ? 0 : Variant.MESHES)
-                | (bodies.plain() ? 0 : Variant.MATERIALS)
+                | (bodies.plain() && !tracesPaths() ? 0 : Variant.MATERIALS)
+                | (tracesPaths() ? Variant.PATH : 0)
                 | (linear ? Variant.LINEAR : 0)
                 | Variant.of(aspect());
     }

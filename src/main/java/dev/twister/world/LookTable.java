@@ -1,6 +1,7 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Layout;
+import dev.twister.scene.Emission;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
@@ -15,6 +16,9 @@ import java.util.Optional;
  * The arrays {@code looks} and {@code images} of {@link Layout}; the same ones as long as their content is the same.
  */
 final class LookTable {
+    /** Lower bound of a color whose logarithm is taken. */
+    private static final double DARKEST = 1e-9;
+
     private float[] looks = {};
     private boolean plain;
     private float[] texels = {};
@@ -85,14 +89,38 @@ final class LookTable {
     private static void put(float[] looks, int body, Material material, int texture) {
         int look = Layout.LOOK_STRIDE * body;
         putColor(looks, look, material.color());
-        float reflectivity = (float) material.reflectivity();
+        boolean fresnel = material.isByFresnel();
+        float reflectivity = (float) material.whittedReflectivity();
         float transmission = (float) material.transmission();
         looks[look + Layout.LOOK_REFLECTIVITY] = reflectivity;
         looks[look + Layout.LOOK_TRANSMISSION] = transmission;
         // Properties without effect stay 0, so that the body counts as plain.
-        looks[look + Layout.LOOK_ROUGHNESS] = reflectivity > 0 || transmission > 0 ? (float) material.roughness() : 0;
-        looks[look + Layout.LOOK_IOR] = transmission > 0 ? (float) material.ior() : 0;
+        boolean glossy = fresnel || reflectivity > 0 || transmission > 0;
+        looks[look + Layout.LOOK_ROUGHNESS] = glossy ? (float) material.roughness() : 0;
+        looks[look + Layout.LOOK_IOR] = fresnel || transmission > 0 ? (float) material.ior() : 0;
+        looks[look + Layout.LOOK_METALLIC] = (float) (fresnel ? -1 - material.metallic() : material.metallic());
+        putEmission(looks, look, material.emission());
+        material.attenuation().distance().ifPresent(distance -> putAbsorption(looks, look, material, distance));
         looks[look + Layout.LOOK_TEXTURE] = texture;
+    }
+
+    private static void putEmission(float[] looks, int look, Emission emission) {
+        if (!emission.isNone()) {
+            putColor(looks, look + Layout.LOOK_EMISSION, emission.radiance());
+            looks[look + Layout.LOOK_EMITTER] = emission.doubleSided() ? 0 : -1;
+        }
+    }
+
+    /** Per meter, so that the attenuation's color is left after the distance. */
+    private static void putAbsorption(float[] looks, int look, Material material, double distance) {
+        Rgb color = material.attenuation().color();
+        looks[look + Layout.LOOK_ABSORPTION] = absorption(color.red(), distance);
+        looks[look + Layout.LOOK_ABSORPTION + 1] = absorption(color.green(), distance);
+        looks[look + Layout.LOOK_ABSORPTION + 2] = absorption(color.blue(), distance);
+    }
+
+    private static float absorption(double color, double distance) {
+        return (float) (Math.max(-Math.log(Math.max(color, DARKEST)), 0) / distance);
     }
 
     static void putColor(float[] array, int at, Rgb color) {

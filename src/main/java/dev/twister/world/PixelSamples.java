@@ -23,7 +23,12 @@ final class PixelSamples {
      * even count consists of mirrored pairs, an odd count also has the center.
      */
     static float[] of(int count) {
-        return of(count % 2 == 0 ? 1 : 0, count);
+        return of(first(count), count);
+    }
+
+    /** The first item of {@link #of(int)}. */
+    static int first(int count) {
+        return count % 2 == 0 ? 1 : 0;
     }
 
     /** The items from {@code first} on; adjacent runs equal one long run. */

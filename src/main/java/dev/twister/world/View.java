@@ -62,6 +62,7 @@ public record View(float[] frame, int aspect) {
     View withSamples(int first, int samples) {
         float[] counted = frame.clone();
         counted[Layout.PIXEL_SAMPLES] = samples;
+        counted[Layout.FIRST_SAMPLE] = first;
         return of(counted, disc(), PixelSamples.of(first, samples), aspect);
     }
 

@@ -3,6 +3,7 @@ package dev.twister.world;
 import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
@@ -15,6 +16,7 @@ public final class World {
     private final Vector3 origin;
     private final PlaceTable places;
     private final LookTable looks = new LookTable();
+    private final EmitterTable emitters = new EmitterTable();
     private Scene scene;
     private SceneImages images;
     private SceneMeshes meshes;
@@ -213,7 +215,23 @@ public final class World {
                 looks.arePlain(),
                 origin,
                 places.hierarchy());
-        return new FrameInput(View.of(values(bodies), shadowDisc, pixelSamples, Aspect.FULL), bodies, looks.texels());
+        float[] values = values(bodies);
+        Bodies shown = bodies;
+        float[] shownImages = looks.texels();
+        if (scene.rendering().integrator() == Integrator.PATH) {
+            Emitters tables = emitters.of(
+                    bodies,
+                    places.present(),
+                    scene.meshes(),
+                    LightStrength.radiance(scene.lights().first(), scene.ground()),
+                    looks.texels(),
+                    images.sky(),
+                    scene.sky().strength() > 0);
+            tables.write(values);
+            shown = bodies.withLooks(tables.looks());
+            shownImages = tables.images();
+        }
+        return new FrameInput(View.of(values, shadowDisc, pixelSamples, Aspect.FULL), shown, shownImages);
     }
 
     private float[] values(Bodies bodies) {
@@ -240,6 +258,8 @@ public final class World {
         values[Layout.ROOT] = bodies.root(places.present());
         values[Layout.INSTANCES] = bodies.instances();
         values[Layout.TEXTURES] = bodies.textures();
+        values[Layout.CLAMP] = (float) settings.clamp();
+        values[Layout.FIRST_SAMPLE] = PixelSamples.first(settings.samplesPerPixel());
         return values;
     }
 

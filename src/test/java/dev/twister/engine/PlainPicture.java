@@ -67,7 +67,7 @@ public final class PlainPicture {
                 float visible = PlainShadow.visible(path, body, input.shadowSamples(), bodies, input.bodyCount());
                 float mirror = bounce == input.bounces() ? 0 : path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY;
                 float lit = Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
-                Scatter.shade(path, visible, mirror, 0, lit, looks);
+                Scatter.shade(path, visible, mirror, 0, lit, looks, 0);
                 Scatter.reflect(path, body, mirror * lit);
                 goesOn = path[Layout.THROUGHPUT] > 0;
             }

@@ -9,6 +9,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.Pictures;
 import dev.twister.oracle.RandomMaterials;
+import dev.twister.oracle.RandomMeshes;
 import dev.twister.oracle.ShippedScenes;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
@@ -55,6 +56,29 @@ class PixelPathTest {
         for (int seed = 0; seed < 8; seed++) {
             LitScene scene = RandomMaterials.scene(new Random(seed), bounces);
             pathsAddUp(input(scene, scene.scene().rendering()));
+        }
+    }
+
+    /** Glass, rough surfaces and meshes: the kernel's view of bounces counts all rays after the view rays. */
+    @Test
+    void stepsAreThoseThatTheKernelCounts() {
+        for (int seed = 0; seed < 8; seed++) {
+            Random random = new Random(seed);
+            LitScene scene = seed % 2 == 0 ? RandomMaterials.scene(random, 6) : RandomMeshes.scene(random, 6);
+            FrameInput input = input(scene, scene.scene().rendering().withSize(24, 16));
+            float[] counts = Pictures.radiance(JvmEngines.SEQUENTIAL, input.showing(Picture.BOUNCES));
+            for (int pixel = 0; pixel < input.width() * input.height(); pixel += 7) {
+                int rays = 0;
+                for (int sample = 0; sample < input.samplesPerPixel(); sample++) {
+                    rays += PixelPath.of(input, pixel % input.width(), pixel / input.width(), sample)
+                                    .steps()
+                                    .size()
+                            - 1;
+                }
+                assertThat(rays * (1f / input.samplesPerPixel()))
+                        .as("pixel %d of seed %d", pixel, seed)
+                        .isEqualTo(counts[3 * pixel]);
+            }
         }
     }
 

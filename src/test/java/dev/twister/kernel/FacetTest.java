@@ -67,7 +67,7 @@ class FacetTest {
         float[] numbers = new float[Layout.SAMPLE_STRIDE];
         numbers[Layout.SAMPLE_SURFACE] = random.nextFloat();
         numbers[Layout.SAMPLE_SURFACE + 1] = random.nextFloat();
-        Facet.find(path, 0, numbers);
+        Facet.find(path, numbers);
         return new float[] {path[Layout.FACET], path[Layout.FACET + 1], path[Layout.FACET + 2]};
     }
 

@@ -27,9 +27,9 @@ class GlassSphereTest {
         looks[look + Layout.LOOK_TRANSMISSION] = 1;
         looks[look + Layout.LOOK_IOR] = ior;
         float[] path = Paths.ray(new float[] {1, (float) (2 + b), 0}, new float[] {0, 0, 1}, Layout.NOTHING);
-        passOn(path, looks, 0);
+        passOn(path, looks);
         assertThat(path[Layout.INSIDE]).isEqualTo(1f);
-        passOn(path, looks, 1);
+        passOn(path, looks);
         assertThat(path[Layout.INSIDE]).isZero();
 
         double turn = 2 * (Math.asin(b / RADIUS) - Math.asin(b / RADIUS / ior));
@@ -44,9 +44,10 @@ class GlassSphereTest {
     }
 
     /** Continues with the refracted ray, whichever of the two branches is pending. */
-    private static void passOn(float[] path, float[] looks, int bounce) {
+    private static void passOn(float[] path, float[] looks) {
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
         float inside = path[Layout.INSIDE];
+        path[Layout.WAITING] = 0;
         float[] frame = Paths.frame(BODIES);
         float[] none = new float[0];
         int body = Hit.find(path, scratch, frame, PLACES, looks, none, Variant.MATERIALS);
@@ -54,10 +55,10 @@ class GlassSphereTest {
         Surface.find(path, body, frame, PLACES, none, Variant.MATERIALS);
         SurfaceLook.find(path, body, frame, looks, none, Variant.MATERIALS);
         Surface.face(path, body, frame, Variant.MATERIALS);
-        Facet.find(path, bounce, frame);
-        int waiting = Branch.split(path, body, bounce, 0f, 1f, 1f, scratch, 0);
-        if (waiting > 0 && path[Layout.INSIDE] == inside) {
-            Branch.resume(path, scratch, waiting);
+        Facet.find(path, frame);
+        Branch.split(path, body, 0f, 1f, 1f, scratch);
+        if (path[Layout.WAITING] > 0 && path[Layout.INSIDE] == inside) {
+            Branch.resume(path, scratch);
         }
     }
 }

@@ -23,5 +23,16 @@ sealed interface Body permits SphereBody, PlaneBody, TriangleBody {
 
     Color albedo(Vector point);
 
+    /** The side of the surface that counts for light to pass or to be reflected, on the side that a ray comes from. */
+    default Vector face(Ray ray, Vector point) {
+        Vector normal = normal(ray, point);
+        return ray.direction().dot(normal) > 0 ? normal.times(-1) : normal;
+    }
+
+    /** Returns whether the side that a ray meets emits light; spheres emit outward. */
+    default boolean emits(Ray ray, boolean fromInside) {
+        return material().emits() && !fromInside;
+    }
+
     OracleMaterial material();
 }

@@ -44,7 +44,8 @@ final class FloatScene {
                 .withReflectivity((float) material.reflectivity())
                 .withRoughness((float) material.roughness())
                 .withTransmission((float) material.transmission())
-                .withIor((float) material.ior());
+                .withIor((float) material.ior())
+                .withMetallic((float) material.metallic());
     }
 
     private static Light rounded(Light light) {

@@ -1,6 +1,8 @@
 package dev.twister.oracle;
 
+import dev.twister.scene.Attenuation;
 import dev.twister.scene.Material;
+import dev.twister.scene.Rgb;
 import dev.twister.world.SceneImages;
 import java.util.Optional;
 
@@ -11,17 +13,53 @@ record OracleMaterial(
         double roughness,
         double transmission,
         double ior,
-        Optional<OracleTexture> texture) {
+        Optional<OracleTexture> texture,
+        double metallic,
+        boolean byFresnel,
+        Color emission,
+        boolean emitsInward,
+        Color absorption) {
     /** Attaches the texture from the scene's images. */
     static OracleMaterial of(Material material, SceneImages images) {
         return new OracleMaterial(
                 Color.of(material.color()),
-                material.reflectivity(),
+                material.whittedReflectivity(),
                 material.roughness(),
                 material.transmission(),
                 material.ior(),
                 material.texture()
-                        .map(file -> new OracleTexture(images.textureByFile().get(file))));
+                        .map(file -> new OracleTexture(images.textureByFile().get(file))),
+                material.metallic(),
+                material.isByFresnel(),
+                Color.of(material.emission().radiance()),
+                material.emission().doubleSided(),
+                absorption(material.attenuation()));
+    }
+
+    private static Color absorption(Attenuation attenuation) {
+        Rgb color = attenuation.color();
+        return attenuation
+                .distance()
+                .map(distance -> new Color(-Math.log(color.red()), -Math.log(color.green()), -Math.log(color.blue()))
+                        .times(1 / distance))
+                .orElse(Color.BLACK);
+    }
+
+    /** What multiplies reflections. */
+    Color tint(Color albedo) {
+        return albedo.times(metallic).plus(new Color(1 - metallic, 1 - metallic, 1 - metallic));
+    }
+
+    /** What is left of white light after a distance inside. */
+    Color passed(double distance) {
+        return new Color(
+                Math.exp(-absorption.red() * distance),
+                Math.exp(-absorption.green() * distance),
+                Math.exp(-absorption.blue() * distance));
+    }
+
+    boolean emits() {
+        return emission.strongest() > 0;
     }
 
     boolean transmits() {

@@ -51,13 +51,24 @@ final class OracleTracer {
 
     OracleTracer(Scene scene, SceneImages images, SceneMeshes meshes, Rounding rounding) {
         this.rounding = rounding;
+        bodies.addAll(bodies(scene, images, meshes));
+        light = (SphereBody) bodies.getFirst();
+        shadow = new OracleShadow(bodies, light, scene.rendering().shadowSamples());
+        sky = new OracleSky(
+                images.sky(), scene.sky().rotationDegrees(), scene.sky().strength());
+        ambient = scene.shading().ambient();
+        bounceLimit = scene.rendering().bounces();
+    }
+
+    /** Returns a scene's bodies: the light, the plane, the spheres and the triangles. */
+    static List<Body> bodies(Scene scene, SceneImages images, SceneMeshes meshes) {
+        List<Body> bodies = new ArrayList<>();
         Light sceneLight = scene.lights().first();
-        light = new SphereBody(
+        bodies.add(new SphereBody(
                 vector(sceneLight.position()),
                 sceneLight.radius(),
-                OracleMaterial.of(Material.DEFAULT.withColor(sceneLight.color()), images));
+                OracleMaterial.of(Material.DEFAULT.withColor(sceneLight.color()), images)));
         Ground plane = scene.ground();
-        bodies.add(light);
         bodies.add(new PlaneBody(
                 plane.size(), plane.height(), Color.of(plane.oddColor()), OracleMaterial.of(plane.material(), images)));
         for (Sphere sphere : scene.spheres()) {
@@ -79,11 +90,7 @@ final class OracleTracer {
                 number++;
             }
         }
-        shadow = new OracleShadow(bodies, light, scene.rendering().shadowSamples());
-        sky = new OracleSky(
-                images.sky(), scene.sky().rotationDegrees(), scene.sky().strength());
-        ambient = scene.shading().ambient();
-        bounceLimit = scene.rendering().bounces();
+        return bodies;
     }
 
     /** Traces a view ray. */
@@ -151,8 +158,12 @@ final class OracleTracer {
         double normalDotLight = place.normal().dot(toLight);
         double visible = shadow.visible(place.point(), body, ray);
         double lit = Math.max(ambient, Math.max(0, normalDotLight) * visible);
+        Color tint = material.tint(albedo);
         Color color = albedo.times((1 - mirror) * (1 - transmission) * lit)
-                .plus(light.material().color().times(highlight(place, toLight, visible)));
+                .plus(tint.times(light.material().color()).times(highlight(place, toLight, visible)));
+        if (body.emits(ray, place.fromInside())) {
+            color = color.plus(material.emission());
+        }
         if (mirror == 0 && transmission == 0) {
             return color;
         }
@@ -162,7 +173,7 @@ final class OracleTracer {
         double ratio = place.fromInside() ? material.ior() : 1 / material.ior();
         double reflectance = passing > 0 ? Fresnel.reflectance(cosine, ratio) : 0;
         Vector reflected = ray.direction().plus(facet.times(2 * cosine)).normalized();
-        Color reflectedPart = ALL.times((mirror * lit + passing * reflectance) * weight(place, reflected, 1));
+        Color reflectedPart = tint.times((mirror * lit + passing * reflectance) * weight(place, reflected, 1));
         color = color.plus(branch(place, reflected, place.fromInside(), reflectedPart, bounce, throughput, numbers));
         if (passing * (1 - reflectance) > 0) {
             boolean isSheet = body instanceof PlaneBody;

@@ -1,8 +1,10 @@
 package dev.twister.oracle;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.Emission;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rendering;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
@@ -73,6 +75,22 @@ public final class RandomMaterials {
                         random.nextInt(4) == 0
                                 ? Optional.of(TEXTURES.get(random.nextInt(TEXTURES.size())))
                                 : Optional.empty());
+    }
+
+    /** The same scene, some of whose spheres are metals, and some emit light. */
+    static LitScene tinted(LitScene plain, Random random) {
+        List<Sphere> spheres = plain.scene().spheres().stream()
+                .map(sphere -> sphere.withMaterial(tinted(sphere.material(), random)))
+                .toList();
+        return new LitScene(plain.scene().withSpheres(spheres), plain.images());
+    }
+
+    private static Material tinted(Material plain, Random random) {
+        return switch (random.nextInt(4)) {
+            case 0 -> plain.withMetallic(RandomScenes.extremeOr(random, 0, 1, random.nextDouble()));
+            case 1 -> plain.withEmission(Emission.NONE.withColor(new Rgb(random.nextFloat(), random.nextFloat(), 0.5)));
+            default -> plain;
+        };
     }
 
     private static Material glass(Random random, Material plain) {

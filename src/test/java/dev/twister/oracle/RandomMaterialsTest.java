@@ -3,6 +3,7 @@ package dev.twister.oracle;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.JvmEngines;
+import java.util.Random;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -41,6 +42,13 @@ class RandomMaterialsTest {
     void manyBouncesAreWhatTheOracleDraws(@ForAll("manyBounces") LitScene random) {
         pixelsAnExcuse = MANY_BOUNCES_PIXELS_AN_EXCUSE;
         judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, random), random);
+    }
+
+    @Property(seed = "20261130", tries = 60, shrinking = ShrinkingMode.OFF)
+    void metalsAndEmissionAreWhatTheOracleDraws(@ForAll("fewBounces") LitScene random, @ForAll Random choice) {
+        LitScene tinted = RandomMaterials.tinted(random, choice);
+        judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, tinted), tinted);
+        judge.judge(Pictures.argb(VECTOR, tinted), tinted);
     }
 
     @Property(seed = "20261127", tries = 100, shrinking = ShrinkingMode.OFF)

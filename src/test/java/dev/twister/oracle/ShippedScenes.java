@@ -1,5 +1,6 @@
 package dev.twister.oracle;
 
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
@@ -19,6 +20,8 @@ public final class ShippedScenes {
     /** Scenes with more spheres than this are rendered smaller. */
     private static final int MANY_SPHERES = 1000;
 
+    private static final int FEW_SAMPLES = 4;
+
     private ShippedScenes() {}
 
     /** File names without {@code .json}. */
@@ -34,18 +37,25 @@ public final class ShippedScenes {
         }
     }
 
-    /** The shipped scene in a picture of 320 x 180. */
+    /** The shipped scene in a picture of 320 x 180; of few samples if paths are traced. */
     public static LitScene small(String name) {
         LitScene shipped = read(name);
-        return with(shipped, shipped.scene().rendering().withSize(320, 180));
+        Rendering settings = shipped.scene().rendering().withSize(320, 180);
+        return settings.integrator() == Integrator.WHITTED
+                ? with(shipped, settings)
+                : with(shipped, settings.withSamplesPerPixel(FEW_SAMPLES));
     }
 
     /**
      * A version that the oracle renders quickly: at most 48 shadow samples, thousands of spheres at 96 x 54 with 4,
-     * thousands of triangles at 32 x 18 with 1 and 2 bounces.
+     * thousands of triangles at 32 x 18 with 1 and 2 bounces. No paths are traced.
      */
     public static LitScene quick(String name) {
         LitScene small = small(name);
+        if (small.scene().rendering().integrator() == Integrator.PATH) {
+            Rendering simple = small.scene().rendering().withIntegrator(Integrator.WHITTED);
+            return with(small, simple.withSamplesPerPixel(1).withBounces(3).withSize(96, 54));
+        }
         Rendering settings = small.scene().rendering();
         if (!small.scene().meshes().isEmpty()) {
             return with(small, settings.withSize(32, 18).withShadows(1).withBounces(2));

@@ -132,6 +132,16 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
     }
 
     @Override
+    public Vector face(Ray ray, Vector point) {
+        return facing(ray).normalized();
+    }
+
+    @Override
+    public boolean emits(Ray ray, boolean fromInside) {
+        return material.emits() && (material.emitsInward() || ray.direction().dot(face()) < 0);
+    }
+
+    @Override
     public Color albedo(Vector point) {
         return material.textured(
                 material.color(),

@@ -31,7 +31,8 @@ public final class FullScene {
                 new Title("Full", "Everything."),
                 camera.withKeyframes(List.of(CameraKeyframe.of(2, camera))),
                 List.of(new CameraView("front", camera)),
-                Lights.of(Light.of(new Vector3(1, 1.6, 0), 0.3, new Rgb(0.9, 0.8, 0.7))),
+                Lights.of(
+                        Light.of(new Vector3(1, 1.6, 0), 0.3, new Rgb(0.9, 0.8, 0.7)).withStrength(Optional.of(5.0))),
                 materials,
                 new Ground(5, 0, new Rgb(0.1, 0.2, 0.3), material(0.3, 10)),
                 new SceneBodies(
@@ -47,13 +48,22 @@ public final class FullScene {
                                 Optional.of(material(0.7, 0))))),
                 new Sky(Path.of("sky.hdr"), 30, 1.5),
                 new Shading(0.3),
-                new Rendering(40, 30, 4, 3, 2, 0.5, ToneMap.ACES, true),
+                new Rendering(40, 30, 4, 3, 2, 0.5, ToneMap.ACES, true, Integrator.PATH, 25),
                 new Physics(new Vector3(0.5, -9, 0.25), 0.5, 0.3, 0.1, true, true),
                 Optional.of(new Pour(
                         3, 4, new Vector3(0.5, 2.5, 0.5), 0.5, 2, 0.1, 0.2, Palette.DUSK, material(0, 30), 7)));
     }
 
     private static Material material(double transmission, double reflectivity) {
-        return new Material(new Rgb(0.5, 0.6, 0.7), reflectivity, 0.2, transmission, 1.4, Optional.of(TEXTURE));
+        return new Material(
+                new Rgb(0.5, 0.6, 0.7),
+                reflectivity,
+                0.2,
+                0.4,
+                transmission,
+                1.4,
+                Optional.of(TEXTURE),
+                new Emission(new Rgb(3, 2, 1), 0.5, false),
+                new Attenuation(new Rgb(0.9, 0.8, 0.7), Optional.of(2.5)));
     }
 }

@@ -3,11 +3,14 @@ package dev.twister.scene.format;
 import static dev.twister.scene.format.Field.required;
 import static dev.twister.scene.format.Field.sparse;
 
+import dev.twister.scene.Attenuation;
+import dev.twister.scene.Emission;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.format.ValueType.Decimal;
 import dev.twister.scene.format.ValueType.FilePath;
+import dev.twister.scene.format.ValueType.Flag;
 import java.util.List;
 import java.util.function.BiFunction;
 import java.util.function.Function;
@@ -30,6 +33,8 @@ record MaterialFormat(List<Field<Material, ?>> fields) {
                     Material::withReflectivity),
             sparse("roughness", new Decimal(SceneLimits.ROUGHNESS), Material::roughness, Material::withRoughness)
                     .from(2),
+            sparse("metallic", new Decimal(SceneLimits.METALLIC), Material::metallic, Material::withMetallic)
+                    .from(3),
             sparse(
                             "transmission",
                             new Decimal(SceneLimits.TRANSMISSION),
@@ -37,7 +42,39 @@ record MaterialFormat(List<Field<Material, ?>> fields) {
                             Material::withTransmission)
                     .from(2),
             sparse("ior", new Decimal(SceneLimits.IOR), Material::ior, Material::withIor)
-                    .from(2));
+                    .from(2),
+            emission("emission", ValueType.color(SceneLimits.RADIANCE), Emission::color, Emission::withColor),
+            emission(
+                    "emissionStrength",
+                    new Decimal(SceneLimits.EMISSION_STRENGTH),
+                    Emission::strength,
+                    Emission::withStrength),
+            emission("doubleSided", new Flag(), Emission::doubleSided, Emission::withDoubleSided),
+            attenuation(
+                    "attenuationColor",
+                    ValueType.color(SceneLimits.ALBEDO),
+                    Attenuation::color,
+                    Attenuation::withColor),
+            attenuation(
+                    "attenuationDistance",
+                    ValueType.present(new Decimal(SceneLimits.LENGTH)),
+                    Attenuation::distance,
+                    Attenuation::withDistance));
+
+    private static <V> Field<Material, V> emission(
+            String name, ValueType<V> type, Function<Emission, V> getter, BiFunction<Emission, V, Emission> wither) {
+        return sparse(name, type, getter, wither).within(Material::emission, Material::withEmission).from(3);
+    }
+
+    private static <V> Field<Material, V> attenuation(
+            String name,
+            ValueType<V> type,
+            Function<Attenuation, V> getter,
+            BiFunction<Attenuation, V, Attenuation> wither) {
+        return sparse(name, type, getter, wither)
+                .within(Material::attenuation, Material::withAttenuation)
+                .from(3);
+    }
 
     static MaterialFormat whole(FilePath file) {
         return new MaterialFormat(Stream.concat(Stream.of(COLOR), uncolored(file).fields().stream())

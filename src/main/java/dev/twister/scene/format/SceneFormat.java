@@ -8,6 +8,7 @@ import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.CameraView;
 import dev.twister.scene.Ground;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
@@ -119,12 +120,16 @@ final class SceneFormat {
     private static final Field<CameraView, String> VIEW_NAME =
             required(ViewRules.NAME, new Text(1, SceneLimits.MAX_NAME_LENGTH), CameraView::name, CameraView::withName);
 
-    private static final Structure<Light> LIGHT = new Structure<>(
-            Light.DEFAULT,
-            List.of(
+    private static final List<Field<Light, ?>> LIGHT = List.of(
                     required("position", POSITION, Light::position, Light::withPosition),
                     required("radius", LENGTH, Light::radius, Light::withRadius),
-                    required("color", ValueType.color(SceneLimits.RADIANCE), Light::color, Light::withColor)));
+                    required("color", ValueType.color(SceneLimits.RADIANCE), Light::color, Light::withColor),
+                    sparse(
+                                    "strength",
+                                    ValueType.present(new Decimal(SceneLimits.LIGHT_STRENGTH)),
+                                    Light::strength,
+                                    Light::withStrength)
+                            .from(3));
 
     private static final List<Field<Ground, ?>> PLANE = List.of(
             required("size", LENGTH, Ground::size, Ground::withSize),
@@ -140,9 +145,7 @@ final class SceneFormat {
             required("position", POSITION, Sphere::position, Sphere::withPosition),
             required("radius", LENGTH, Sphere::radius, Sphere::withRadius));
 
-    private static final Structure<Rendering> RENDERING = new Structure<>(
-            Rendering.DEFAULT,
-            List.of(
+    private static final List<Field<Rendering, ?>> RENDERING = List.of(
                     written("width", new WholeNumber(SceneLimits.SIDE), Rendering::width, Rendering::withWidth),
                     written("height", new WholeNumber(SceneLimits.SIDE), Rendering::height, Rendering::withHeight),
                     written(
@@ -166,7 +169,15 @@ final class SceneFormat {
                             Rendering::exposure,
                             Rendering::withExposure),
                     written("toneMap", new Choice<>(ToneMap.class), Rendering::toneMap, Rendering::withToneMap),
-                    written("srgb", FLAG, Rendering::srgb, Rendering::withSrgb)));
+                    written("srgb", FLAG, Rendering::srgb, Rendering::withSrgb),
+                    sparse(
+                                    "integrator",
+                                    new Choice<>(Integrator.class),
+                                    Rendering::integrator,
+                                    Rendering::withIntegrator)
+                            .from(3),
+                    sparse("clamp", new Decimal(SceneLimits.CLAMP), Rendering::clamp, Rendering::withClamp)
+                            .from(3));
 
     private static final Structure<Physics> PHYSICS = new Structure<>(
             Physics.DEFAULT,
@@ -363,7 +374,7 @@ final class SceneFormat {
                                         Scene::views,
                                         Scene::withViews)
                                 .from(2),
-                        required("light", LIGHT, Lights::first, (_, light) -> Lights.of(light))
+                        required("light", structure(Light.DEFAULT, List.of(LIGHT)), Lights::first, (_, light) -> Lights.of(light))
                                 .within(Scene::lights, Scene::withLights),
                         sparse(MATERIALS, materials(), Scene::materials, Scene::withMaterials)
                                 .from(MATERIALS_SINCE),
@@ -378,7 +389,7 @@ final class SceneFormat {
                         sparse("skyStrength", new Decimal(SceneLimits.SKY_STRENGTH), Sky::strength, Sky::withStrength)
                                 .within(Scene::sky, Scene::withSky),
                         written("shading", SHADING, Scene::shading, Scene::withShading),
-                        written("rendering", RENDERING, Scene::rendering, Scene::withRendering),
+                        written("rendering", structure(Rendering.DEFAULT, List.of(RENDERING)), Scene::rendering, Scene::withRendering),
                         sparse("physics", PHYSICS, Scene::physics, Scene::withPhysics),
                         sparse(
                                 "pour",

@@ -158,11 +158,10 @@ final class WholeRangesTest {
             return Cause.ONE_PIXEL;
         }
         Scene scene = setup.scene();
-        Ground ground = scene.ground();
-        Scene plain = scene.withGround(ground.withOddColor(ground.evenColor())
-                .withMaterial(ground.material().withTexture(Optional.empty())));
-        Scene dim = scene.withRendering(scene.rendering().withExposure(0))
-                .withSky(scene.sky().withStrength(1));
+        Ground plane = scene.ground();
+        Scene plain = scene.withGround(plane.withOddColor(plane.evenColor())
+                .withMaterial(plane.material().withTexture(Optional.empty())));
+        Scene dim = scene.withRendering(scene.rendering().withExposure(0)).withSky(scene.sky().withStrength(1));
         if (difference(engine, sequential, setup.with(plain)).isWithinBound()) {
             return Cause.PATTERN;
         }

@@ -114,14 +114,14 @@ final class SpoiltScenes {
                     "wrong version",
                     true,
                     "\"version\": 1",
-                    "\"version\": 3",
-                    "3:14: $.version is 3, but must be 1 or 2, the versions of the format that this program reads"),
+                    "\"version\": 4",
+                    "3:14: $.version is 4, but must be 1, 2 or 3, the versions of the format that this program reads"),
             new Spoilt(
                     "version as text",
                     true,
                     "\"version\": 1",
                     "\"version\": \"1\"",
-                    "3:14: $.version is \"1\", but must be 1 or 2, the versions of the format that this program reads"),
+                    "3:14: $.version is \"1\", but must be 1, 2 or 3, the versions of the format that this program reads"),
             new Spoilt(
                     "no version",
                     true,

@@ -35,6 +35,10 @@ final class DevicePlan implements AutoCloseable {
      */
     private static final int FEW_BODIES = 4096;
 
+    /** Length of the kernel's frame with the most samples. */
+    private static final int LONGEST_FRAME =
+            Layout.DISC + 2 * Rendering.MAX_SHADOW_SAMPLES + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL;
+
     private static final int[] NO_PIXELS = new int[1];
     private static final float[] NO_RADIANCE = new float[1];
 
@@ -42,8 +46,7 @@ final class DevicePlan implements AutoCloseable {
     private final boolean linear;
     private final int[] pixels;
     private final float[] radiance;
-    private final float[] view = new float
-            [Layout.DISC + 2 * Rendering.MAX_SHADOW_SAMPLES + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL];
+    private final float[] view = new float[LONGEST_FRAME];
     private final float[] bodies;
     private final float[] looks;
     private final TornadoExecutionPlan plan;

@@ -40,7 +40,8 @@ public final class TornadoKernel implements Supplier<DrawTask> {
             for (@Parallel int column = 0; column < width; column++) {
                 int isPlain = (variant & (Variant.MATERIALS | Variant.MESHES)) == 0 ? 1 : 0;
                 int plainPath = Aspect.isCount(variant) == 0 ? Layout.PLAIN_PATH_LENGTH : Layout.PATH_LENGTH;
-                float[] path = new float[isPlain != 0 ? plainPath : Layout.PATH_LENGTH];
+                int longPath = (variant & Variant.PATH) != 0 ? Layout.TRACED_PATH_LENGTH : Layout.PATH_LENGTH;
+                float[] path = new float[isPlain != 0 ? plainPath : longPath];
                 int plainScratch = (variant & Variant.WALK) == 0 ? FEW_SCRATCH : Layout.PLAIN_SCRATCH_LENGTH;
                 float[] scratch = new float[isPlain != 0 ? plainScratch : Layout.SCRATCH_LENGTH];
                 PixelKernel.draw(column, row, path, scratch, frame, bodies, looks, meshes, images, variant);

@@ -222,7 +222,8 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             path[Layout.PIXEL_COLUMN] = in[10 * i + 7];
             path[Layout.PIXEL_ROW] = in[10 * i + 8];
             path[Layout.PIXEL_SAMPLE] = 0f;
-            Facet.find(path, (int) in[10 * i + 9], samples);
+            path[Layout.BOUNCE] = in[10 * i + 9];
+            Facet.find(path, samples);
             out[3 * i] = path[Layout.FACET];
             out[3 * i + 1] = path[Layout.FACET + 1];
             out[3 * i + 2] = path[Layout.FACET + 2];

@@ -35,8 +35,8 @@ public final class Declined {
     /**
      * Declines nothing until {@code take} is called.
      *
-     * @param bodies the bodies to decline in addition to transmitting bodies in a crowd and to meshes that transmit or
-     *     have a texture
+     * @param bodies the bodies to decline in addition to those that emit or are metallic, to transmitting bodies in a
+     *     crowd and to meshes that transmit or have a texture
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
@@ -56,6 +56,7 @@ public final class Declined {
         }
         int toneMap = (int) input.view().frame()[Layout.TONE_MAP];
         frame = input.aspect() != Aspect.FULL
+                || input.tracesPaths()
                 || toneMap < Tone.CLAMP
                 || toneMap > Tone.ACES
                 || occluders.count > MOST_OCCLUDERS
@@ -92,7 +93,7 @@ public final class Declined {
         any = false;
         for (int body = 0; body < count; body++) {
             boolean transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
-            declined[body] = bodies.test(body) || (transmits && crowded);
+            declined[body] = bodies.test(body) || (transmits && crowded) || isTintedOrEmits(body);
             any |= declined[body];
             if (declined[body] && body >= Layout.FIRST_SPHERE) {
                 occluders.add(body);
@@ -100,10 +101,19 @@ public final class Declined {
         }
         for (int body = Math.max(count, firstMesh); body < end; body++) {
             declined[body] = bodies.test(body)
+                    || isTintedOrEmits(body)
                     || looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0
                     || looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TEXTURE] > 0;
             any |= declined[body];
         }
+    }
+
+    private boolean isTintedOrEmits(int body) {
+        int look = Layout.LOOK_STRIDE * body;
+        float emission = looks[look + Layout.LOOK_EMISSION]
+                + looks[look + Layout.LOOK_EMISSION + 1]
+                + looks[look + Layout.LOOK_EMISSION + 2];
+        return body != Layout.LIGHT && (looks[look + Layout.LOOK_METALLIC] != 0 || emission > 0);
     }
 
     /** Whether view rays may start inside a declined body that transmits; lanes do not see it from there. */

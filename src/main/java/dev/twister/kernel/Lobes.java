@@ -1,0 +1,303 @@
+package dev.twister.kernel;
+
+/**
+ * How a surface scatters light in path tracing: a reflection (a mirror, or GGX if rough), a matte part, and
+ * transmission. The parts of {@link Layout#PART_MIRROR} and those after it weight them.
+ */
+final class Lobes {
+    /** The least part of the choices that a rough lobe has, so that facets that reflect less are chosen, too. */
+    private static final float LEAST_CHOICE = 0.05f;
+
+    /** Rough glass of a lower index refracts straight on, which no facet describes. */
+    private static final float LEAST_ROUGH_IOR = 1.001f;
+
+    private static final float LEAST_COSINE = 1e-6f;
+    private static final float LEAST_SQUARE = 1e-12f;
+
+    private Lobes() {}
+
+    /**
+     * Writes the weights of the lobes at the path's hit point, and turns the normal and the face toward the ray's
+     * origin.
+     *
+     * @param path {@link Layout#TRACED_PATH_LENGTH} floats, after {@link Surface#face}
+     */
+    static void prepare(float[] path, int body, float[] frame, int variant) {
+        int mesh = Surface.isMesh(body, frame, variant);
+        float side = Facet.directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
+        float along = Facet.directionDot(path, Layout.FACE);
+        float faceSide = along > 0f ? -1f : 1f;
+        for (int axis = 0; axis < 3; axis++) {
+            float normal = side * path[Layout.NORMAL + axis];
+            path[Layout.NORMAL + axis] = normal;
+            path[Layout.FACE + axis] = mesh != 0 ? faceSide * path[Layout.FACE + axis] : normal;
+        }
+        int fresnel = path[Layout.IS_FRESNEL] > 0f ? 1 : 0;
+        float metal = path[Layout.METALLIC];
+        float mirror = path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY;
+        float transmission = path[Layout.TRANSMISSION];
+        float constant = fresnel != 0 ? metal : mirror;
+        path[Layout.PART_MIRROR] = constant;
+        path[Layout.PART_COAT] = fresnel != 0 ? 1f - metal : (1f - mirror) * transmission;
+        path[Layout.PART_GLASS] = (1f - constant) * transmission;
+        path[Layout.PART_MATTE] = (1f - constant) * (1f - transmission);
+        float ior = path[Layout.IOR];
+        path[Layout.RATIO] = path[Layout.FROM_INSIDE] > 0f ? ior : 1f / Math.max(ior, 1f);
+        int smooth = (path[Layout.ROUGHNESS] > 0f ? 0 : 1)
+                | ((transmission > 0f ? 1 : 0) & (ior < LEAST_ROUGH_IOR ? 1 : 0));
+        path[Layout.ROUGHNESS] = smooth != 0 ? 0f : path[Layout.ROUGHNESS];
+        path[Layout.IS_SHEET] = body == Layout.PLANE ? 1f : 0f;
+        choices(path);
+    }
+
+    /** Writes with which probability each lobe is chosen: in proportion to its largest channel, at the normal. */
+    private static void choices(float[] path) {
+        float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
+        float fresnel = fresnel(path, cosine);
+        float largest = Math.max(Math.max(path[Layout.ALBEDO], path[Layout.ALBEDO + 1]), path[Layout.ALBEDO + 2]);
+        float mirror = Math.max(
+                Math.max(reflected(path, 0, cosine, fresnel), reflected(path, 1, cosine, fresnel)),
+                reflected(path, 2, cosine, fresnel));
+        float coated = path[Layout.IS_FRESNEL] > 0f ? 1f - fresnel : 1f;
+        float matte = path[Layout.PART_MATTE] * coated * largest;
+        float glass = path[Layout.PART_GLASS] * (1f - fresnel) * largest;
+        if (path[Layout.ROUGHNESS] > 0f) {
+            float sum = mirror + matte + glass;
+            float least = LEAST_CHOICE * (sum > 0f ? sum : 1f);
+            mirror = path[Layout.PART_MIRROR] + path[Layout.PART_COAT] > 0f ? Math.max(mirror, least) : mirror;
+            glass = path[Layout.PART_GLASS] * largest > 0f ? Math.max(glass, least) : glass;
+        }
+        float sum = mirror + matte + glass;
+        float inverse = sum > 0f ? 1f / sum : 0f;
+        path[Layout.CHOICE_MIRROR] = mirror * inverse;
+        path[Layout.CHOICE_MATTE] = matte * inverse;
+        path[Layout.CHOICE_GLASS] = glass * inverse;
+    }
+
+    /** The dielectric reflectance at a facet; 0 without a dielectric part. */
+    private static float fresnel(float[] path, float cosine) {
+        float fresnel = 0f;
+        if (path[Layout.PART_COAT] > 0f) {
+            fresnel = Refraction.reflectance(cosine, path[Layout.RATIO]);
+        }
+        return fresnel;
+    }
+
+    /** The reflected part of one channel at a facet. */
+    private static float reflected(float[] path, int channel, float cosine, float fresnel) {
+        float away = 1f - cosine;
+        float schlick = path[Layout.IS_FRESNEL] > 0f ? away * away * away * away * away : 0f;
+        float albedo = path[Layout.ALBEDO + channel];
+        float metal = path[Layout.IS_FRESNEL] > 0f
+                ? albedo + (1f - albedo) * schlick
+                : 1f + path[Layout.METALLIC] * (albedo - 1f);
+        return path[Layout.PART_MIRROR] * metal + path[Layout.PART_COAT] * fresnel;
+    }
+
+    /** 1 if light from other than single directions is scattered, so that emitters are worth sampling. */
+    static int scatters(float[] path) {
+        return (path[Layout.CHOICE_MATTE] > 0f ? 1 : 0)
+                | ((path[Layout.ROUGHNESS] > 0f ? 1 : 0)
+                        & (path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_GLASS] > 0f ? 1 : 0));
+    }
+
+    /**
+     * Writes {@code f * |cos|} of a direction, of the lobes that are not mirror-like, to {@link Layout#SCATTERED}.
+     *
+     * @return density per steradian with which {@link #choose} takes the direction, of these lobes together
+     */
+    static float evaluate(float[] path, float x, float y, float z) {
+        float cosineOut = path[Layout.NORMAL] * x + path[Layout.NORMAL + 1] * y + path[Layout.NORMAL + 2] * z;
+        float faceOut = path[Layout.FACE] * x + path[Layout.FACE + 1] * y + path[Layout.FACE + 2] * z;
+        float cosineIn = Math.max(-Facet.directionDot(path, Layout.NORMAL), LEAST_COSINE);
+        int above = (cosineOut > 0f ? 1 : 0) & (faceOut > 0f ? 1 : 0);
+        int below = (cosineOut < 0f ? 1 : 0) & (faceOut < 0f ? 1 : 0) & (path[Layout.PART_GLASS] > 0f ? 1 : 0);
+        float density = 0f;
+        path[Layout.SCATTERED] = 0f;
+        path[Layout.SCATTERED + 1] = 0f;
+        path[Layout.SCATTERED + 2] = 0f;
+        if (above != 0) {
+            float coated = 1f;
+            if (path[Layout.IS_FRESNEL] > 0f) {
+                coated = (1f - fresnel(path, Math.min(cosineIn, 1f))) * (1f - fresnel(path, Math.min(cosineOut, 1f)));
+            }
+            float matte = path[Layout.PART_MATTE] * coated * cosineOut / KernelMath.PI;
+            for (int channel = 0; channel < 3; channel++) {
+                path[Layout.SCATTERED + channel] = matte * path[Layout.ALBEDO + channel];
+            }
+            density = path[Layout.CHOICE_MATTE] * cosineOut / KernelMath.PI;
+        }
+        if (((above | below) & (path[Layout.ROUGHNESS] > 0f ? 1 : 0)) != 0) {
+            density = density + rough(path, x, y, z, cosineIn, cosineOut);
+        }
+        return density;
+    }
+
+    /** Adds the rough reflection or transmission to {@link Layout#SCATTERED}. */
+    private static float rough(float[] path, float x, float y, float z, float cosineIn, float cosineOut) {
+        int passes = cosineOut < 0f ? 1 : 0;
+        int sheet = passes & (path[Layout.IS_SHEET] > 0f ? 1 : 0);
+        int refracts = passes & (1 - sheet);
+        // Through a sheet light leaves as if it were reflected on the other side.
+        float turned = sheet != 0 ? -2f * cosineOut : 0f;
+        float outX = x + turned * path[Layout.NORMAL];
+        float outY = y + turned * path[Layout.NORMAL + 1];
+        float outZ = z + turned * path[Layout.NORMAL + 2];
+        float ratio = refracts != 0 ? path[Layout.RATIO] : 1f;
+        float halfX = outX - ratio * path[Layout.DIRECTION];
+        float halfY = outY - ratio * path[Layout.DIRECTION + 1];
+        float halfZ = outZ - ratio * path[Layout.DIRECTION + 2];
+        float lengthSquared = halfX * halfX + halfY * halfY + halfZ * halfZ;
+        float inverse = KernelMath.inverseRoot(lengthSquared);
+        float normalDotHalf =
+                (halfX * path[Layout.NORMAL] + halfY * path[Layout.NORMAL + 1] + halfZ * path[Layout.NORMAL + 2])
+                        * inverse;
+        float turn = normalDotHalf < 0f ? -inverse : inverse;
+        float viewDotHalf = -turn
+                * (halfX * path[Layout.DIRECTION]
+                        + halfY * path[Layout.DIRECTION + 1]
+                        + halfZ * path[Layout.DIRECTION + 2]);
+        float outDotHalf = turn * (halfX * outX + halfY * outY + halfZ * outZ);
+        float alpha = path[Layout.ROUGHNESS] * path[Layout.ROUGHNESS];
+        float visible = Facet.visibleDensity(alpha, Math.abs(normalDotHalf), cosineIn);
+        int seen = (viewDotHalf > 0f ? 1 : 0) & (refracts != 0 ? (outDotHalf < 0f ? 1 : 0) : 1);
+        float refracted = viewDotHalf * Math.abs(outDotHalf) / Math.max(lengthSquared, LEAST_SQUARE);
+        float facets = seen != 0 ? visible * (refracts != 0 ? refracted : 0.25f) : 0f;
+        float weight = facets * Facet.weight(path[Layout.ROUGHNESS], cosineIn, Math.abs(cosineOut));
+        float fresnel = fresnel(path, Math.min(Math.max(viewDotHalf, 0f), 1f));
+        float glass = path[Layout.PART_GLASS] * (1f - fresnel);
+        for (int channel = 0; channel < 3; channel++) {
+            float part = passes != 0
+                    ? glass * path[Layout.ALBEDO + channel]
+                    : reflected(path, channel, Math.min(Math.max(viewDotHalf, 0f), 1f), fresnel);
+            path[Layout.SCATTERED + channel] = path[Layout.SCATTERED + channel] + weight * part;
+        }
+        return facets * (passes != 0 ? path[Layout.CHOICE_GLASS] : path[Layout.CHOICE_MIRROR]);
+    }
+
+    /**
+     * Chooses a lobe and a direction. Writes the direction and whether it continues inside the body; multiplies the
+     * throughput by {@code f * |cos| / density}, which is 0 if the path ends; and writes the density to
+     * {@link Layout#SURFACE_DENSITY}, 0 for a mirror-like lobe.
+     *
+     * @param bounce number of surfaces that the path has left before
+     */
+    static void choose(float[] path, int bounce, float[] frame) {
+        int place = Noise.scatter(bounce);
+        float number = Noise.fresh(path, place, frame);
+        float first = Noise.fresh(path, place + 1, frame);
+        float second = Noise.fresh(path, place + 2, frame);
+        path[Layout.FACET] = path[Layout.NORMAL];
+        path[Layout.FACET + 1] = path[Layout.NORMAL + 1];
+        path[Layout.FACET + 2] = path[Layout.NORMAL + 2];
+        if (path[Layout.ROUGHNESS] > 0f) {
+            Facet.sample(path, first, second);
+        }
+        int mirror = number < path[Layout.CHOICE_MIRROR] ? 1 : 0;
+        int matte = (1 - mirror) & (number < path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_MATTE] ? 1 : 0);
+        int glass = (1 - mirror) & (1 - matte);
+        if (matte != 0) {
+            float sine = (float) Math.sqrt(first);
+            Direction.write(
+                    path,
+                    Layout.NEXT_DIRECTION,
+                    path[Layout.NORMAL],
+                    path[Layout.NORMAL + 1],
+                    path[Layout.NORMAL + 2],
+                    sine * KernelMath.cosineOfTurns(second),
+                    sine * KernelMath.sineOfTurns(second),
+                    (float) Math.sqrt(Math.max(1f - first, 0f)));
+        }
+        if (matte == 0) {
+            bend(path, glass);
+        }
+        int crosses = glass & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
+        float inside = path[Layout.FROM_INSIDE];
+        path[Layout.NEXT_INSIDE] = crosses != 0 ? 1f - inside : inside;
+        int spread = matte | (path[Layout.ROUGHNESS] > 0f ? 1 : 0);
+        if (spread == 0) {
+            mirrorLike(path, glass);
+        }
+        if (spread != 0) {
+            float density = evaluate(
+                    path,
+                    path[Layout.NEXT_DIRECTION],
+                    path[Layout.NEXT_DIRECTION + 1],
+                    path[Layout.NEXT_DIRECTION + 2]);
+            int goesOn = (density > 0f ? 1 : 0) & isOnSide(path, glass);
+            float inverse = goesOn != 0 ? 1f / density : 0f;
+            path[Layout.SURFACE_DENSITY] = goesOn != 0 ? density : 0f;
+            multiply(
+                    path,
+                    path[Layout.SCATTERED] * inverse,
+                    path[Layout.SCATTERED + 1] * inverse,
+                    path[Layout.SCATTERED + 2] * inverse);
+        }
+    }
+
+    /**
+     * 1 if the next ray is on the side of the surface that its lobe leads to, else 0. A facet that reflects totally
+     * refracts nowhere.
+     */
+    private static int isOnSide(float[] path, int glass) {
+        float height = path[Layout.NORMAL] * path[Layout.NEXT_DIRECTION]
+                + path[Layout.NORMAL + 1] * path[Layout.NEXT_DIRECTION + 1]
+                + path[Layout.NORMAL + 2] * path[Layout.NEXT_DIRECTION + 2];
+        float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.FACET), 0f), 1f);
+        int passes = (height < 0f ? 1 : 0) & (fresnel(path, cosine) < 1f ? 1 : 0);
+        return glass != 0 ? passes : (height > 0f ? 1 : 0);
+    }
+
+    /** Multiplies the throughput by the weight of a perfect mirror or of clear glass. */
+    private static void mirrorLike(float[] path, int glass) {
+        float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
+        float fresnel = fresnel(path, cosine);
+        float choice = glass != 0 ? path[Layout.CHOICE_GLASS] : path[Layout.CHOICE_MIRROR];
+        float faceOut = path[Layout.FACE] * path[Layout.NEXT_DIRECTION]
+                + path[Layout.FACE + 1] * path[Layout.NEXT_DIRECTION + 1]
+                + path[Layout.FACE + 2] * path[Layout.NEXT_DIRECTION + 2];
+        int leaves = glass != 0 ? (faceOut < 0f ? 1 : 0) : (faceOut > 0f ? 1 : 0);
+        float inverse = (leaves & (choice > 0f ? 1 : 0)) != 0 ? 1f / choice : 0f;
+        float passed = path[Layout.PART_GLASS] * (1f - fresnel);
+        path[Layout.SURFACE_DENSITY] = 0f;
+        float red = glass != 0 ? passed * path[Layout.ALBEDO] : reflected(path, 0, cosine, fresnel);
+        float green = glass != 0 ? passed * path[Layout.ALBEDO + 1] : reflected(path, 1, cosine, fresnel);
+        float blue = glass != 0 ? passed * path[Layout.ALBEDO + 2] : reflected(path, 2, cosine, fresnel);
+        multiply(path, red * inverse, green * inverse, blue * inverse);
+    }
+
+    private static void multiply(float[] path, float red, float green, float blue) {
+        path[Layout.THROUGHPUT] = path[Layout.THROUGHPUT] * red;
+        path[Layout.THROUGHPUT + 1] = path[Layout.THROUGHPUT + 1] * green;
+        path[Layout.THROUGHPUT + 2] = path[Layout.THROUGHPUT + 2] * blue;
+    }
+
+    /** Writes the ray reflected or refracted at the facet. */
+    private static void bend(float[] path, int glass) {
+        float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.FACET), 0f), 1f);
+        float ratio = path[Layout.RATIO];
+        float reflectedX = path[Layout.DIRECTION] + 2f * cosine * path[Layout.FACET];
+        float reflectedY = path[Layout.DIRECTION + 1] + 2f * cosine * path[Layout.FACET + 1];
+        float reflectedZ = path[Layout.DIRECTION + 2] + 2f * cosine * path[Layout.FACET + 2];
+        float height = reflectedX * path[Layout.NORMAL]
+                + reflectedY * path[Layout.NORMAL + 1]
+                + reflectedZ * path[Layout.NORMAL + 2];
+        int sheet = glass & (path[Layout.IS_SHEET] > 0f ? 1 : 0);
+        int refracts = glass & (1 - sheet);
+        float turned = sheet != 0 ? -2f * height : 0f;
+        float along = Refraction.along(cosine, ratio);
+        float x = refracts != 0
+                ? ratio * path[Layout.DIRECTION] + along * path[Layout.FACET]
+                : reflectedX + turned * path[Layout.NORMAL];
+        float y = refracts != 0
+                ? ratio * path[Layout.DIRECTION + 1] + along * path[Layout.FACET + 1]
+                : reflectedY + turned * path[Layout.NORMAL + 1];
+        float z = refracts != 0
+                ? ratio * path[Layout.DIRECTION + 2] + along * path[Layout.FACET + 2]
+                : reflectedZ + turned * path[Layout.NORMAL + 2];
+        float inverse = KernelMath.inverseRoot(x * x + y * y + z * z);
+        path[Layout.NEXT_DIRECTION] = x * inverse;
+        path[Layout.NEXT_DIRECTION + 1] = y * inverse;
+        path[Layout.NEXT_DIRECTION + 2] = z * inverse;
+    }
+}

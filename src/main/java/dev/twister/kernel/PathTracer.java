@@ -1,0 +1,245 @@
+package dev.twister.kernel;
+
+/**
+ * Path tracing: one path per sample, which follows one scattered ray from each surface and adds the light that reaches
+ * it directly from one emitter (Kajiya, "The Rendering Equation", 1986). Light found in both ways is weighted by the
+ * power heuristic (Veach and Guibas 1995).
+ */
+public final class PathTracer {
+    /** Number of surfaces from which on paths end at random. */
+    private static final int FIRST_ROULETTE = 3;
+
+    private static final float MOST_SURVIVAL = 0.95f;
+
+    /** {@code 1 / e}. */
+    private static final float INVERSE_E = 0.36787945f;
+
+    private PathTracer() {}
+
+    /**
+     * Follows the path's ray, and adds the radiance found to {@link Layout#RADIANCE}.
+     *
+     * <p>Rays to emitters take turns with the rays of the path, so that there is one search for hits.
+     *
+     * @param path {@link Layout#TRACED_PATH_LENGTH} floats: the ray, the body that it leaves, throughput and radiance
+     *     so far, the pixel and its sample
+     */
+    static void follow(
+            float[] path,
+            float[] scratch,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            float[] images,
+            int variant) {
+        int bounce = 0;
+        int toEmitter = 0;
+        int goesOn = 1;
+        path[Layout.SURFACE_DENSITY] = 0f;
+        while (goesOn != 0) {
+            int direct = toEmitter;
+            float limit = direct != 0 ? path[Layout.LIGHT_DISTANCE] : Intersection.MISS;
+            int body = Hit.within(path, limit, scratch, frame, bodies, looks, meshes, variant);
+            toEmitter = 0;
+            goesOn = 0;
+            if (direct != 0) {
+                addDirect(path, body);
+            }
+            if (direct == 0) {
+                if (body == Layout.NOTHING) {
+                    addSky(path, bounce, frame, looks, images);
+                }
+                if (body > Layout.NOTHING) {
+                    meet(path, body, frame, bodies, looks, meshes, images, variant);
+                    addEmission(path, body, bounce, frame, bodies, looks, variant);
+                }
+                if (body > Layout.LIGHT) {
+                    toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
+                    bounce = bounce + 1;
+                }
+                goesOn = body > Layout.LIGHT ? carriesLight(path) : 0;
+                Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
+            }
+            if (toEmitter == 0) {
+                next(path);
+            }
+            goesOn = direct != 0 ? carriesLight(path) : goesOn | toEmitter;
+        }
+    }
+
+    /** Writes hit point, normal and material, and applies the medium that the ray has passed. */
+    private static void meet(
+            float[] path,
+            int body,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            float[] images,
+            int variant) {
+        Surface.find(path, body, frame, bodies, meshes, variant);
+        SurfaceLook.find(path, body, frame, looks, images, variant);
+        Surface.face(path, body, frame, variant);
+        int medium = path[Layout.FROM_INSIDE] > 0f ? body : (int) path[Layout.LEAVING];
+        if (path[Layout.FROM_INSIDE] + path[Layout.INSIDE] > 0f) {
+            absorb(path, Layout.LOOK_STRIDE * medium + Layout.LOOK_ABSORPTION, looks);
+        }
+    }
+
+    /** Multiplies the throughput by {@code exp(-absorption * distance)} (Beer's law). */
+    private static void absorb(float[] path, int absorption, float[] looks) {
+        for (int channel = 0; channel < 3; channel++) {
+            float depth = Math.min(looks[absorption + channel] * path[Layout.DISTANCE], KernelMath.MOST_EXPONENT);
+            path[Layout.THROUGHPUT + channel] = path[Layout.THROUGHPUT + channel] * KernelMath.pow(INVERSE_E, depth);
+        }
+    }
+
+    /** The power heuristic for a direction that could have been chosen in another way, too. */
+    private static float weight(float density, float other) {
+        float ratio = other / density;
+        return 1f / (1f + ratio * ratio);
+    }
+
+    private static void addSky(float[] path, int bounce, float[] frame, float[] looks, float[] images) {
+        float weight = 1f;
+        if (path[Layout.SURFACE_DENSITY] > 0f) {
+            weight = weight(path[Layout.SURFACE_DENSITY], Emitter.skyDensity(path, frame, looks, images));
+        }
+        SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
+        add(path, weight, bounce > 1 ? 1 : 0, frame);
+    }
+
+    private static void addEmission(
+            float[] path, int body, int bounce, float[] frame, float[] bodies, float[] looks, int variant) {
+        if (Emitter.shines(path, body, frame, looks, variant) != 0) {
+            float weight = 1f;
+            if (path[Layout.SURFACE_DENSITY] > 0f) {
+                weight = weight(
+                        path[Layout.SURFACE_DENSITY], Emitter.density(path, body, frame, bodies, looks, variant));
+            }
+            for (int channel = 0; channel < 3; channel++) {
+                path[Layout.EMITTED + channel] = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + channel];
+            }
+            add(path, weight, bounce > 1 ? 1 : 0, frame);
+        }
+    }
+
+    /** Adds emitted radiance times the throughput; what comes over several surfaces is clamped. */
+    private static void add(float[] path, float weight, int clamped, float[] frame) {
+        float most = frame[Layout.CLAMP];
+        int clamps = clamped & (most > 0f ? 1 : 0);
+        for (int channel = 0; channel < 3; channel++) {
+            float found = path[Layout.THROUGHPUT + channel] * weight * path[Layout.EMITTED + channel];
+            path[Layout.RADIANCE + channel] =
+                    path[Layout.RADIANCE + channel] + (clamps != 0 ? Math.min(found, most) : found);
+        }
+    }
+
+    /**
+     * Chooses an emitter and the next ray at the surface that the path has hit. The throughput becomes that of the next
+     * ray.
+     *
+     * @return 1 if the path's ray now leads to an emitter, with the light to add in {@link Layout#DIRECT}, else 0
+     */
+    private static int scatter(
+            float[] path,
+            int body,
+            int bounce,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            float[] images,
+            int variant) {
+        Lobes.prepare(path, body, frame, variant);
+        int toEmitter = 0;
+        if (Lobes.scatters(path) != 0) {
+            Emitter.choose(path, bounce, frame, bodies, looks, meshes, images);
+            if (path[Layout.LIGHT_DENSITY] > 0f) {
+                toEmitter = direct(path, bounce, frame);
+            }
+        }
+        if (bounce < (int) frame[Layout.BOUNCES]) {
+            Lobes.choose(path, bounce, frame);
+            if (bounce >= FIRST_ROULETTE) {
+                roulette(path, bounce, frame);
+            }
+        } else {
+            path[Layout.THROUGHPUT] = 0f;
+            path[Layout.THROUGHPUT + 1] = 0f;
+            path[Layout.THROUGHPUT + 2] = 0f;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            path[Layout.ORIGIN + axis] = path[Layout.POINT + axis];
+        }
+        path[Layout.LEAVING] = body;
+        if (toEmitter != 0) {
+            float side = path[Layout.TO_LIGHT] * path[Layout.NORMAL]
+                    + path[Layout.TO_LIGHT + 1] * path[Layout.NORMAL + 1]
+                    + path[Layout.TO_LIGHT + 2] * path[Layout.NORMAL + 2];
+            float inside = path[Layout.FROM_INSIDE];
+            int crosses = (side < 0f ? 1 : 0) & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
+            path[Layout.INSIDE] = crosses != 0 ? 1f - inside : inside;
+            for (int axis = 0; axis < 3; axis++) {
+                path[Layout.DIRECTION + axis] = path[Layout.TO_LIGHT + axis];
+            }
+        }
+        return toEmitter;
+    }
+
+    /** Writes the light that the chosen emitter adds unless it is blocked; 1 if that is any. */
+    private static int direct(float[] path, int bounce, float[] frame) {
+        float density = Lobes.evaluate(
+                path, path[Layout.TO_LIGHT], path[Layout.TO_LIGHT + 1], path[Layout.TO_LIGHT + 2]);
+        float chosen = path[Layout.LIGHT_DENSITY];
+        // After the last bounce no ray is scattered that could meet the emitter, too.
+        int last = bounce < (int) frame[Layout.BOUNCES] ? 0 : 1;
+        float weight = (last != 0 ? 1f : weight(chosen, density)) / chosen;
+        float most = frame[Layout.CLAMP];
+        int clamps = (bounce > 0 ? 1 : 0) & (most > 0f ? 1 : 0);
+        float sum = 0f;
+        for (int channel = 0; channel < 3; channel++) {
+            float found = path[Layout.THROUGHPUT + channel]
+                    * weight
+                    * path[Layout.SCATTERED + channel]
+                    * path[Layout.EMITTED + channel];
+            path[Layout.DIRECT + channel] = clamps != 0 ? Math.min(found, most) : found;
+            sum = sum + found;
+        }
+        return sum > 0f ? 1 : 0;
+    }
+
+    /** Adds the emitter's light unless a body blocks it. */
+    private static void addDirect(float[] path, int body) {
+        float visible = body == Layout.NOTHING ? 1f : 0f;
+        for (int channel = 0; channel < 3; channel++) {
+            path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel] + visible * path[Layout.DIRECT + channel];
+        }
+    }
+
+    /** Ends the path at random, more probably the less light it carries. */
+    private static void roulette(float[] path, int bounce, float[] frame) {
+        float most = Math.max(
+                Math.max(path[Layout.THROUGHPUT], path[Layout.THROUGHPUT + 1]), path[Layout.THROUGHPUT + 2]);
+        float survival = Math.min(most, MOST_SURVIVAL);
+        int ends = Noise.fresh(path, Noise.roulette(bounce), frame) >= survival ? 1 : 0;
+        float factor = ends != 0 ? 0f : 1f / survival;
+        for (int channel = 0; channel < 3; channel++) {
+            path[Layout.THROUGHPUT + channel] = path[Layout.THROUGHPUT + channel] * factor;
+        }
+    }
+
+    /** 1 if light found from here on reaches the pixel, else 0. */
+    private static int carriesLight(float[] path) {
+        return path[Layout.THROUGHPUT] + path[Layout.THROUGHPUT + 1] + path[Layout.THROUGHPUT + 2] > 0f ? 1 : 0;
+    }
+
+    /** Replaces the path's ray by the next one. */
+    private static void next(float[] path) {
+        for (int axis = 0; axis < 3; axis++) {
+            path[Layout.DIRECTION + axis] = path[Layout.NEXT_DIRECTION + axis];
+        }
+        path[Layout.INSIDE] = path[Layout.NEXT_INSIDE];
+    }
+}

@@ -1,0 +1,33 @@
+package dev.twister.scene;
+
+/**
+ * Light that a body emits.
+ *
+ * @param color linear color, 0 or more; black for none
+ * @param strength factor of the color, 0 or more
+ * @param doubleSided whether triangles emit on both sides; otherwise on the outer one alone. Spheres emit outward.
+ */
+public record Emission(Rgb color, double strength, boolean doubleSided) {
+    public static final Emission NONE = new Emission(new Rgb(0, 0, 0), 1, true);
+
+    /** The emitted radiance. */
+    public Rgb radiance() {
+        return new Rgb(color.red() * strength, color.green() * strength, color.blue() * strength);
+    }
+
+    public boolean isNone() {
+        return strength * (color.red() + color.green() + color.blue()) == 0;
+    }
+
+    public Emission withColor(Rgb newColor) {
+        return new Emission(newColor, strength, doubleSided);
+    }
+
+    public Emission withStrength(double newStrength) {
+        return new Emission(color, newStrength, doubleSided);
+    }
+
+    public Emission withDoubleSided(boolean newDoubleSided) {
+        return new Emission(color, strength, newDoubleSided);
+    }
+}

@@ -1,0 +1,9 @@
+package dev.twister.scene;
+
+/** How light is followed. */
+public enum Integrator {
+    /** The paper's: reflections and refractions of the view ray, one light with its shadows, ambient light. */
+    WHITTED,
+    /** Path tracing: light from everywhere, over any number of surfaces. */
+    PATH
+}

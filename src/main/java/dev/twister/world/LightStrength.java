@@ -1,0 +1,29 @@
+package dev.twister.world;
+
+import dev.twister.scene.Ground;
+import dev.twister.scene.Light;
+import dev.twister.scene.Rgb;
+
+/** How bright a light is in path tracing. */
+final class LightStrength {
+    private LightStrength() {}
+
+    /** The radiance of a light's surface: {@code color * strength / radius^2}. */
+    static Rgb radiance(Light light, Ground ground) {
+        double factor = light.strength().orElseGet(() -> usual(light, ground))
+                / (light.radius() * light.radius());
+        return new Rgb(light.color().red() * factor, light.color().green() * factor, light.color().blue() * factor);
+    }
+
+    /**
+     * The squared distance of the nearest point of the ground, at least 1 m^2: a white surface there that faces the
+     * light is as bright as the light's color, as it is without path tracing.
+     */
+    private static double usual(Light light, Ground ground) {
+        double half = ground.size() / 2;
+        double x = light.position().x() - Math.clamp(light.position().x(), -half, half);
+        double y = light.position().y() - ground.height();
+        double z = light.position().z() - Math.clamp(light.position().z(), -half, half);
+        return Math.max(1, x * x + y * y + z * z);
+    }
+}

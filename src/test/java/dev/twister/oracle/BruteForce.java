@@ -1,0 +1,148 @@
+package dev.twister.oracle;
+
+import java.util.List;
+import java.util.Random;
+
+/**
+ * Path tracing in double precision without any means against noise: rays leave surfaces at random, and light counts
+ * where a ray meets it. Slow, and simple enough to be seen to be right.
+ */
+final class BruteForce {
+    private static final double PERFECT_MIRROR = 128;
+    private static final Color ONE = new Color(1, 1, 1);
+
+    private final List<Body> bodies;
+    private final OracleSky sky;
+    private final int bounceLimit;
+    private final Random random;
+
+    /**
+     * @param bodies the light first, whose color is a radiance
+     * @param bounceLimit number of surfaces that a path leaves; light that it meets then counts if it was scattered
+     */
+    BruteForce(List<Body> bodies, OracleSky sky, int bounceLimit, Random random) {
+        this.bodies = bodies;
+        this.sky = sky;
+        this.bounceLimit = bounceLimit;
+        this.random = random;
+    }
+
+    /** What a surface does with a ray: where it goes, what part of the light comes from there, whether by chance. */
+    private record Scattered(Vector direction, Color part, boolean inside, boolean spread) {}
+
+    /** Returns the radiance along a view ray, by one path. */
+    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
+    Color color(Ray view) {
+        Ray ray = view;
+        Color throughput = new Color(1, 1, 1);
+        Color found = Color.BLACK;
+        Body leaving = null;
+        boolean inside = false;
+        boolean spread = true;
+        for (int bounce = 0; throughput.strongest() > 0; bounce++) {
+            Body body = closest(ray, leaving, inside);
+            boolean counts = bounce <= bounceLimit || spread;
+            if (body == null) {
+                return counts ? found.plus(throughput.times(sky.color(ray.direction()))) : found;
+            }
+            double distance = body == leaving ? body.distanceInside(ray) : body.distance(ray);
+            Vector point = ray.at(distance);
+            Vector normal = body.normal(ray, point);
+            boolean fromInside = body.isMetFromInside(ray, normal);
+            OracleMaterial material = body.material();
+            Body medium = fromInside ? body : inside ? leaving : null;
+            if (medium != null) {
+                throughput = throughput.times(medium.material().passed(distance));
+            }
+            if (counts && body.emits(ray, fromInside)) {
+                found = found.plus(throughput.times(material.emission()));
+            }
+            if (body == bodies.getFirst() || bounce > bounceLimit) {
+                return found;
+            }
+            Vector facing = ray.direction().dot(normal) > 0 ? normal.times(-1) : normal;
+            Scattered next = scatter(body, material, body.albedo(point), ray.direction(), facing, fromInside);
+            Vector face = body.face(ray, point);
+            boolean passes = next.inside() != fromInside || next.direction().dot(facing) < 0;
+            boolean right = next.direction().dot(face) > 0 != passes;
+            throughput = right ? throughput.times(next.part()) : Color.BLACK;
+            ray = new Ray(point, next.direction());
+            leaving = body;
+            inside = next.inside();
+            spread = next.spread();
+        }
+        return found;
+    }
+
+    /** Chooses a lobe in proportion to its strongest channel, and a direction as that lobe scatters. */
+    private Scattered scatter(
+            Body body, OracleMaterial material, Color albedo, Vector direction, Vector normal, boolean fromInside) {
+        Vector toViewer = direction.times(-1);
+        double ratio = fromInside ? material.ior() : 1 / material.ior();
+        boolean rough = material.roughness() > 0;
+        RoughSurface facets = RoughSurface.of(material.roughness());
+        Vector facet =
+                rough ? facets.facet(normal, toViewer, random.nextDouble(), random.nextDouble()) : normal;
+        double cosine = Math.clamp(toViewer.dot(facet), 0, 1);
+        boolean byFresnel = material.byFresnel();
+        double constant = byFresnel ? material.metallic() : material.reflectivity() / PERFECT_MIRROR;
+        double glassy = (1 - constant) * material.transmission();
+        double coat = byFresnel ? 1 - constant : glassy;
+        double fresnel = coat > 0 ? Fresnel.reflectance(cosine, ratio) : 0;
+        Color metal = byFresnel ? schlick(albedo, cosine) : material.tint(albedo);
+        Color mirrored = metal.times(constant).plus(ONE.times(coat * fresnel));
+        Color passed = albedo.times(glassy * (1 - fresnel));
+        Color matte = albedo.times((1 - constant) * (1 - material.transmission()));
+        double sum = mirrored.strongest() + passed.strongest() + matte.strongest();
+        double choice = random.nextDouble() * sum;
+        Vector reflected = direction.plus(facet.times(2 * cosine)).normalized();
+        if (choice < mirrored.strongest()) {
+            double weight = rough ? facets.weight(toViewer.dot(normal), reflected.dot(normal)) : 1;
+            return new Scattered(
+                    reflected, mirrored.times(weight * sum / mirrored.strongest()), fromInside, rough);
+        }
+        if (choice < mirrored.strongest() + passed.strongest()) {
+            boolean isSheet = body instanceof PlaneBody;
+            Vector out = isSheet
+                    ? reflected.minus(normal.times(2 * reflected.dot(normal)))
+                    : Fresnel.refracted(direction, facet, ratio).normalized();
+            double weight = rough ? facets.weight(toViewer.dot(normal), -out.dot(normal)) : 1;
+            boolean inside = isSheet ? fromInside : !fromInside;
+            return new Scattered(out, passed.times(weight * sum / passed.strongest()), inside, rough);
+        }
+        Vector out = cosineDistributed(normal);
+        double coated = byFresnel
+                ? (1 - Fresnel.reflectance(toViewer.dot(normal), ratio)) * (1 - Fresnel.reflectance(out.dot(normal), ratio))
+                : 1;
+        return new Scattered(out, matte.times(coated * sum / matte.strongest()), fromInside, true);
+    }
+
+    private static Color schlick(Color albedo, double cosine) {
+        return albedo.plus(ONE.plus(albedo.times(-1)).times(Math.pow(1 - cosine, 5)));
+    }
+
+    /** A direction about the normal with a density proportional to its cosine: a point of the sphere at the normal's tip. */
+    private Vector cosineDistributed(Vector normal) {
+        double z = 2 * random.nextDouble() - 1;
+        double turn = 2 * Math.PI * random.nextDouble();
+        double level = Math.sqrt(1 - z * z);
+        return normal.plus(new Vector(level * Math.cos(turn), level * Math.sin(turn), z)).normalized();
+    }
+
+    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
+    private Body closest(Ray ray, Body leaving, boolean inside) {
+        Body closest = null;
+        double closestDistance = Body.MISS;
+        for (Body body : bodies) {
+            double distance = body.distance(ray);
+            if (body == leaving) {
+                distance = inside ? body.distanceInside(ray) : Body.MISS;
+            }
+            if (distance < closestDistance) {
+                closest = body;
+                closestDistance = distance;
+            }
+        }
+        return closest;
+    }
+}
