@@ -134,7 +134,7 @@ public final class Emitter {
                 + path[Layout.TO_LIGHT + 1] * path[Layout.EMITTER_FACE + 1]
                 + path[Layout.TO_LIGHT + 2] * path[Layout.EMITTER_FACE + 2];
         int body = (int) looks[emitter + Layout.EMITTER_BODY];
-        int shines = (along < 0f ? 1 : 0) | (isTwoSided(body, looks));
+        int shines = (along < 0f ? 1 : 0) | isTwoSided(body, looks);
         float spread = Math.abs(along) * looks[emitter + Layout.EMITTER_AREA];
         // Slightly before the triangle, so that it does not block itself.
         path[Layout.LIGHT_DISTANCE] = squared * inverse * (1f - 0x1p-13f);
