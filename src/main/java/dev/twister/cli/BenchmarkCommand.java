@@ -241,7 +241,8 @@ final class BenchmarkCommand implements Callable<Integer> {
 
     private BenchmarkReport run(BenchmarkPlan plan, Scene scene, ReportFiles files) {
         World world = SkyFiles.world(
-                scene.withRendering(shading.over(scene.rendering())), spec.commandLine().getErr());
+                scene.withRendering(shading.over(scene.rendering())),
+                spec.commandLine().getErr());
         Optional<MotionPlan> moving = motion.isOn()
                 ? Optional.of(new MotionPlan(scene, motion.startSeconds(), motion.secondsPerFrame()))
                 : Optional.empty();

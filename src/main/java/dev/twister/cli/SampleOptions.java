@@ -14,8 +14,8 @@ final class SampleOptions {
     @Option(
             names = "--samples",
             paramLabel = "N",
-            description = "View rays per pixel, 1 to " + Sampling.MOST
-                    + "; with --noise, the limit (default: " + Rendering.MAX_SAMPLES_PER_PIXEL + ").")
+            description = "View rays per pixel, 1 to " + Sampling.MOST + "; with --noise, the limit (default: "
+                    + Rendering.MAX_SAMPLES_PER_PIXEL + ").")
     private Optional<Integer> samples = Optional.empty();
 
     @Option(
@@ -49,7 +49,11 @@ final class SampleOptions {
     Sampling over(int usual) {
         int least = noise.isPresent() ? Sampling.LEAST_CONVERGING : 1;
         return new Sampling(
-                Ranges.check("--samples", samples.orElse(noise.isPresent() ? Rendering.MAX_SAMPLES_PER_PIXEL : usual), least, Sampling.MOST),
+                Ranges.check(
+                        "--samples",
+                        samples.orElse(noise.isPresent() ? Rendering.MAX_SAMPLES_PER_PIXEL : usual),
+                        least,
+                        Sampling.MOST),
                 noise.map(bound -> Ranges.check("--noise", bound, LEAST_NOISE, 1)));
     }
 }

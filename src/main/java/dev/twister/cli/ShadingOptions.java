@@ -24,7 +24,8 @@ final class ShadingOptions {
             names = "--integrator",
             paramLabel = "NAME",
             completionCandidates = Completions.OfIntegrator.class,
-            description = "How light is followed: whitted (reflections and one light's shadows) or path (path tracing).")
+            description =
+                    "How light is followed: whitted (reflections and one light's shadows) or path (path tracing).")
     private Optional<Integrator> integrator = Optional.empty();
 
     @Option(
@@ -40,10 +41,7 @@ final class ShadingOptions {
                 .withBounces(bouncesOr(usual.bounces()))
                 .withIntegrator(integrator.orElse(usual.integrator()))
                 .withClamp(Ranges.check(
-                        "--clamp",
-                        clamp.orElse(usual.clamp()),
-                        SceneLimits.CLAMP.min(),
-                        SceneLimits.CLAMP.max()));
+                        "--clamp", clamp.orElse(usual.clamp()), SceneLimits.CLAMP.min(), SceneLimits.CLAMP.max()));
     }
 
     int shadowSamplesOr(int usual) {

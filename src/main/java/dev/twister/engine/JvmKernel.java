@@ -50,8 +50,7 @@ public final class JvmKernel {
         int variant = input.variant(false);
         path[Layout.BOUNCE] = bounce;
         Path.meet(path, body, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.images(), variant);
-        return Path.visible(
-                path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
+        return Path.visible(path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
     }
 
     /** Follows the {@link #path} from a bounce on: {@link Path#follow}. */

@@ -30,8 +30,7 @@ final class SurfaceRecorder {
         Bodies bodies = input.bodies();
         int variant = input.variant(false);
         Path.meet(path, body, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.images(), variant);
-        visible =
-                Path.visible(path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
+        visible = Path.visible(path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
     }
 
     /** Of a ray that begins at the surface: a refracted one goes on to the side that the ray did not come from. */

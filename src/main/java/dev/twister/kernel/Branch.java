@@ -139,8 +139,9 @@ public final class Branch {
         ray[first + Layout.DIRECTION + 2] = z * inverse;
         for (int i = 0; i < 3; i++) {
             ray[first + Layout.ORIGIN + i] = path[Layout.POINT + i];
-            ray[first + Layout.THROUGHPUT + i] =
-                    path[Layout.THROUGHPUT + i] * part * (passes != 0 ? path[Layout.ALBEDO + i] : Scatter.tint(path, i, Variant.MATERIALS));
+            ray[first + Layout.THROUGHPUT + i] = path[Layout.THROUGHPUT + i]
+                    * part
+                    * (passes != 0 ? path[Layout.ALBEDO + i] : Scatter.tint(path, i, Variant.MATERIALS));
         }
         ray[first + Layout.LEAVING] = body;
         ray[first + Layout.INSIDE] = inside;

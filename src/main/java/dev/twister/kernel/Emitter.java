@@ -72,7 +72,7 @@ public final class Emitter {
         float inverse = KernelMath.inverseRoot(x * x + y * y + z * z);
         float below = first * cone;
         float sine = (float) Math.sqrt(Math.max(below * (2f - below), 0f));
-        Direction.write(
+        TangentFrame.write(
                 path,
                 Layout.TO_LIGHT,
                 x * inverse,
@@ -108,17 +108,21 @@ public final class Emitter {
             float[] bodies,
             float[] looks,
             float[] meshes) {
-        int instance = Instance.at((int) looks[emitter + Layout.EMITTER_INSTANCE], (int) frame[Layout.INSTANCES], bodies);
+        int instance =
+                Instance.at((int) looks[emitter + Layout.EMITTER_INSTANCE], (int) frame[Layout.INSTANCES], bodies);
         int triangle = Instance.triangles(bodies, instance)
                 + Layout.TRIANGLE_STRIDE * (int) looks[emitter + Layout.EMITTER_TRIANGLE];
         float root = (float) Math.sqrt(first);
         float b = root * (1f - second);
         float c = root * second;
-        float meshX = meshes[triangle] + b * (meshes[triangle + 3] - meshes[triangle])
+        float meshX = meshes[triangle]
+                + b * (meshes[triangle + 3] - meshes[triangle])
                 + c * (meshes[triangle + 6] - meshes[triangle]);
-        float meshY = meshes[triangle + 1] + b * (meshes[triangle + 4] - meshes[triangle + 1])
+        float meshY = meshes[triangle + 1]
+                + b * (meshes[triangle + 4] - meshes[triangle + 1])
                 + c * (meshes[triangle + 7] - meshes[triangle + 1]);
-        float meshZ = meshes[triangle + 2] + b * (meshes[triangle + 5] - meshes[triangle + 2])
+        float meshZ = meshes[triangle + 2]
+                + b * (meshes[triangle + 5] - meshes[triangle + 2])
                 + c * (meshes[triangle + 8] - meshes[triangle + 2]);
         int row = instance + Layout.INSTANCE_TO_WORLD;
         float x = Instance.point(bodies, row, meshX, meshY, meshZ) - path[Layout.POINT];
@@ -179,8 +183,7 @@ public final class Emitter {
         if (entry > 0) {
             if (Surface.isMesh(body, frame, variant) != 0) {
                 emitter = emitter + Layout.EMITTER_STRIDE * (int) path[Layout.TRIANGLE];
-                float spread =
-                        Math.abs(Facet.directionDot(path, Layout.FACE)) * looks[emitter + Layout.EMITTER_AREA];
+                float spread = Math.abs(Facet.directionDot(path, Layout.FACE)) * looks[emitter + Layout.EMITTER_AREA];
                 density = spread > 0f ? path[Layout.DISTANCE] * path[Layout.DISTANCE] / spread : 0f;
             } else {
                 float x = bodies[Layout.PLACE_STRIDE * body] - path[Layout.ORIGIN];

@@ -22,8 +22,19 @@ public final class Hit {
      *
      * @param limit in meters
      */
-    static int within(float[] path, float limit, float[] scratch, float[] frame, float[] bodies, float[] looks, float[] meshes, int variant) {
-        int body = amongFirst(path, limit, (variant & Variant.WALK) != 0 ? Layout.FIRST_SPHERE : (int) frame[Layout.BODIES],
+    static int within(
+            float[] path,
+            float limit,
+            float[] scratch,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            int variant) {
+        int body = amongFirst(
+                path,
+                limit,
+                (variant & Variant.WALK) != 0 ? Layout.FIRST_SPHERE : (int) frame[Layout.BODIES],
                 bodies,
                 looks,
                 variant);

@@ -43,8 +43,8 @@ final class Lobes {
         path[Layout.PART_MATTE] = (1f - constant) * (1f - transmission);
         float ior = path[Layout.IOR];
         path[Layout.RATIO] = path[Layout.FROM_INSIDE] > 0f ? ior : 1f / Math.max(ior, 1f);
-        int smooth = (path[Layout.ROUGHNESS] > 0f ? 0 : 1)
-                | ((transmission > 0f ? 1 : 0) & (ior < LEAST_ROUGH_IOR ? 1 : 0));
+        int smooth =
+                (path[Layout.ROUGHNESS] > 0f ? 0 : 1) | ((transmission > 0f ? 1 : 0) & (ior < LEAST_ROUGH_IOR ? 1 : 0));
         path[Layout.ROUGHNESS] = smooth != 0 ? 0f : path[Layout.ROUGHNESS];
         path[Layout.IS_SHEET] = body == Layout.PLANE ? 1f : 0f;
         choices(path);
@@ -198,7 +198,7 @@ final class Lobes {
         int glass = (1 - mirror) & (1 - matte);
         if (matte != 0) {
             float sine = (float) Math.sqrt(first);
-            Direction.write(
+            TangentFrame.write(
                     path,
                     Layout.NEXT_DIRECTION,
                     path[Layout.NORMAL],

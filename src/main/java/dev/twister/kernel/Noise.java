@@ -35,8 +35,8 @@ public final class Noise {
     }
 
     /**
-     * One of the numbers of path tracing, of which no two are the same: the first ones are those of {@link #number}, the
-     * others are hashed.
+     * One of the numbers of path tracing, of which no two are the same: the first ones are those of {@link #number},
+     * the others are hashed.
      *
      * @param place {@link #emitter}, {@link #scatter} or {@link #roulette}, or the next ones
      */

@@ -190,8 +190,8 @@ public final class PathTracer {
 
     /** Writes the light that the chosen emitter adds unless it is blocked; 1 if that is any. */
     private static int direct(float[] path, int bounce, float[] frame) {
-        float density = Lobes.evaluate(
-                path, path[Layout.TO_LIGHT], path[Layout.TO_LIGHT + 1], path[Layout.TO_LIGHT + 2]);
+        float density =
+                Lobes.evaluate(path, path[Layout.TO_LIGHT], path[Layout.TO_LIGHT + 1], path[Layout.TO_LIGHT + 2]);
         float chosen = path[Layout.LIGHT_DENSITY];
         // After the last bounce no ray is scattered that could meet the emitter, too.
         int last = bounce < (int) frame[Layout.BOUNCES] ? 0 : 1;
@@ -220,8 +220,8 @@ public final class PathTracer {
 
     /** Ends the path at random, more probably the less light it carries. */
     private static void roulette(float[] path, int bounce, float[] frame) {
-        float most = Math.max(
-                Math.max(path[Layout.THROUGHPUT], path[Layout.THROUGHPUT + 1]), path[Layout.THROUGHPUT + 2]);
+        float most =
+                Math.max(Math.max(path[Layout.THROUGHPUT], path[Layout.THROUGHPUT + 1]), path[Layout.THROUGHPUT + 2]);
         float survival = Math.min(most, MOST_SURVIVAL);
         int ends = Noise.fresh(path, Noise.roulette(bounce), frame) >= survival ? 1 : 0;
         float factor = ends != 0 ? 0f : 1f / survival;

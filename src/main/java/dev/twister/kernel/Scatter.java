@@ -15,13 +15,7 @@ public final class Scatter {
      * @param looks {@link Layout#LOOK_STRIDE} floats per body
      */
     public static void shade(
-            float[] path,
-            float visible,
-            float mirror,
-            float transmission,
-            float lit,
-            float[] looks,
-            int variant) {
+            float[] path, float visible, float mirror, float transmission, float lit, float[] looks, int variant) {
         float specular = Illumination.highlight(path, visible);
         float matte = (1f - mirror) * (1f - transmission) * lit;
         for (int channel = 0; channel < 3; channel++) {

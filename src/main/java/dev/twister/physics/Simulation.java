@@ -55,7 +55,7 @@ public final class Simulation implements AutoCloseable {
     private final ContactSearch search;
     private final ContactSolver solver;
     private final Bracing bracing;
-    private final Integrator integrator;
+    private final VerletIntegrator integrator;
     private final Spout spout;
     private final Survey survey;
     private final double limit;
@@ -76,7 +76,7 @@ public final class Simulation implements AutoCloseable {
         search = new ContactSearch(bodies, surroundings, team, firstBody, typicalRadius(spheres) * (1 + 2 * MARGIN));
         solver = ContactSolver.moving(bodies, surroundings);
         bracing = new Bracing(bodies, surroundings);
-        integrator = new Integrator(bodies, surroundings);
+        integrator = new VerletIntegrator(bodies, surroundings);
         survey = new Survey(bodies, team, firstBody);
         spout = Spout.of(scene.pour(), spheres.subList(placed, spheres.size()));
         limit = Math.max(largestCoordinate(scene, spheres), mesh.largestCoordinate()) + DEPTH;

@@ -38,7 +38,7 @@ final class Spout {
     /**
      * Adds the spheres due between the times {@code now} and {@code end}, placed above the spout by the time until due.
      */
-    void open(double now, double end, BodyStore bodies, Integrator integrator, Vector3 gravity) {
+    void open(double now, double end, BodyStore bodies, VerletIntegrator integrator, Vector3 gravity) {
         while (out < spheres.size() && out / rate < end) {
             double early = out / rate - now;
             Sphere sphere = spheres.get(out);

@@ -27,43 +27,52 @@ public record Material(
         Emission emission,
         Attenuation attenuation) {
     /** Matte and white, with the index of glass; has the values of the fields that a file leaves out. */
-    public static final Material DEFAULT = new Material(
-            new Rgb(1, 1, 1), 0, 0, 0, 0, 1.5, Optional.empty(), Emission.NONE, Attenuation.NONE);
+    public static final Material DEFAULT =
+            new Material(new Rgb(1, 1, 1), 0, 0, 0, 0, 1.5, Optional.empty(), Emission.NONE, Attenuation.NONE);
 
     public Material withColor(Rgb newColor) {
-        return new Material(newColor, reflectivity, roughness, metallic, transmission, ior, texture, emission, attenuation);
+        return new Material(
+                newColor, reflectivity, roughness, metallic, transmission, ior, texture, emission, attenuation);
     }
 
     public Material withReflectivity(double newReflectivity) {
-        return new Material(color, newReflectivity, roughness, metallic, transmission, ior, texture, emission, attenuation);
+        return new Material(
+                color, newReflectivity, roughness, metallic, transmission, ior, texture, emission, attenuation);
     }
 
     public Material withRoughness(double newRoughness) {
-        return new Material(color, reflectivity, newRoughness, metallic, transmission, ior, texture, emission, attenuation);
+        return new Material(
+                color, reflectivity, newRoughness, metallic, transmission, ior, texture, emission, attenuation);
     }
 
     public Material withMetallic(double newMetallic) {
-        return new Material(color, reflectivity, roughness, newMetallic, transmission, ior, texture, emission, attenuation);
+        return new Material(
+                color, reflectivity, roughness, newMetallic, transmission, ior, texture, emission, attenuation);
     }
 
     public Material withTransmission(double newTransmission) {
-        return new Material(color, reflectivity, roughness, metallic, newTransmission, ior, texture, emission, attenuation);
+        return new Material(
+                color, reflectivity, roughness, metallic, newTransmission, ior, texture, emission, attenuation);
     }
 
     public Material withIor(double newIor) {
-        return new Material(color, reflectivity, roughness, metallic, transmission, newIor, texture, emission, attenuation);
+        return new Material(
+                color, reflectivity, roughness, metallic, transmission, newIor, texture, emission, attenuation);
     }
 
     public Material withTexture(Optional<Path> newTexture) {
-        return new Material(color, reflectivity, roughness, metallic, transmission, ior, newTexture, emission, attenuation);
+        return new Material(
+                color, reflectivity, roughness, metallic, transmission, ior, newTexture, emission, attenuation);
     }
 
     public Material withEmission(Emission newEmission) {
-        return new Material(color, reflectivity, roughness, metallic, transmission, ior, texture, newEmission, attenuation);
+        return new Material(
+                color, reflectivity, roughness, metallic, transmission, ior, texture, newEmission, attenuation);
     }
 
     public Material withAttenuation(Attenuation newAttenuation) {
-        return new Material(color, reflectivity, roughness, metallic, transmission, ior, texture, emission, newAttenuation);
+        return new Material(
+                color, reflectivity, roughness, metallic, transmission, ior, texture, emission, newAttenuation);
     }
 
     /** Whether, in path tracing, Fresnel's equations decide what it reflects: glTF's material, without reflectivity. */

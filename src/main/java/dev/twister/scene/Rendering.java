@@ -12,7 +12,8 @@ package dev.twister.scene;
  * @param toneMap applied after the exposure
  * @param srgb whether the sRGB curve is applied after the tone map
  * @param integrator how light is followed
- * @param clamp for path tracing: limit, per channel, of light that reaches the eye over more than one surface; 0 for none
+ * @param clamp for path tracing: limit, per channel, of light that reaches the eye over more than one surface; 0 for
+ *     none
  */
 public record Rendering(
         int width,
@@ -33,42 +34,51 @@ public record Rendering(
     public static final double DEFAULT_CLAMP = 10;
 
     /** 1280 x 720, 200 shadow samples and 3 bounces as in the paper, clamped, with the sRGB curve. */
-    public static final Rendering DEFAULT = new Rendering(1280, 720, 200, 3, 1, 0, ToneMap.CLAMP, true, Integrator.WHITTED, DEFAULT_CLAMP);
+    public static final Rendering DEFAULT =
+            new Rendering(1280, 720, 200, 3, 1, 0, ToneMap.CLAMP, true, Integrator.WHITTED, DEFAULT_CLAMP);
 
     public Rendering withSize(int newWidth, int newHeight) {
         return withWidth(newWidth).withHeight(newHeight);
     }
 
     public Rendering withWidth(int newWidth) {
-        return new Rendering(newWidth, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
+        return new Rendering(
+                newWidth, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
     }
 
     public Rendering withHeight(int newHeight) {
-        return new Rendering(width, newHeight, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
+        return new Rendering(
+                width, newHeight, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
     }
 
     public Rendering withShadows(int newShadowSamples) {
-        return new Rendering(width, height, newShadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
+        return new Rendering(
+                width, height, newShadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
     }
 
     public Rendering withBounces(int newBounces) {
-        return new Rendering(width, height, shadowSamples, newBounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
+        return new Rendering(
+                width, height, shadowSamples, newBounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
     }
 
     public Rendering withSamplesPerPixel(int newSamplesPerPixel) {
-        return new Rendering(width, height, shadowSamples, bounces, newSamplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
+        return new Rendering(
+                width, height, shadowSamples, bounces, newSamplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
     }
 
     public Rendering withExposure(double newExposure) {
-        return new Rendering(width, height, shadowSamples, bounces, samplesPerPixel, newExposure, toneMap, srgb, integrator, clamp);
+        return new Rendering(
+                width, height, shadowSamples, bounces, samplesPerPixel, newExposure, toneMap, srgb, integrator, clamp);
     }
 
     public Rendering withToneMap(ToneMap newToneMap) {
-        return new Rendering(width, height, shadowSamples, bounces, samplesPerPixel, exposure, newToneMap, srgb, integrator, clamp);
+        return new Rendering(
+                width, height, shadowSamples, bounces, samplesPerPixel, exposure, newToneMap, srgb, integrator, clamp);
     }
 
     public Rendering withSrgb(boolean newSrgb) {
-        return new Rendering(width, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, newSrgb, integrator, clamp);
+        return new Rendering(
+                width, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, newSrgb, integrator, clamp);
     }
 
     public Rendering withTone(double newExposure, ToneMap newToneMap, boolean newSrgb) {

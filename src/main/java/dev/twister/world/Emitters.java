@@ -43,7 +43,8 @@ record Emitters(float[] looks, float[] images, int table, int count, int sky, in
         if (bodies.firstMesh() != Layout.NO_MESHES) {
             addTriangles(bodies, looks, emitters);
         }
-        float[] probabilities = skyShines ? SkyProbabilities.of(sky.radiance(), sky.width(), sky.height()) : new float[0];
+        float[] probabilities =
+                skyShines ? SkyProbabilities.of(sky.radiance(), sky.width(), sky.height()) : new float[0];
         boolean shines = probabilities.length > 0;
         int table = looks.length;
         int count = emitters.size() + (shines ? 1 : 0);
@@ -65,7 +66,12 @@ record Emitters(float[] looks, float[] images, int table, int count, int sky, in
         }
         int skyTable = shines ? Math.ceilDiv(images.length, Layout.ALIGNMENT) : 0;
         return new Emitters(
-                looks, shines ? joined(images, skyTable, probabilities) : images, table, count, shines ? count : 0, skyTable);
+                looks,
+                shines ? joined(images, skyTable, probabilities) : images,
+                table,
+                count,
+                shines ? count : 0,
+                skyTable);
     }
 
     /** Writes the places of the tables to the values of a frame. */

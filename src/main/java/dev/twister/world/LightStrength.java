@@ -10,9 +10,11 @@ final class LightStrength {
 
     /** The radiance of a light's surface: {@code color * strength / radius^2}. */
     static Rgb radiance(Light light, Ground ground) {
-        double factor = light.strength().orElseGet(() -> usual(light, ground))
-                / (light.radius() * light.radius());
-        return new Rgb(light.color().red() * factor, light.color().green() * factor, light.color().blue() * factor);
+        double factor = light.strength().orElseGet(() -> usual(light, ground)) / (light.radius() * light.radius());
+        return new Rgb(
+                light.color().red() * factor,
+                light.color().green() * factor,
+                light.color().blue() * factor);
     }
 
     /**

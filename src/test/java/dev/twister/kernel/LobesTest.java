@@ -21,7 +21,9 @@ class LobesTest {
     private final float[] frame = new float[Layout.DISC];
     private final float[] path = new float[Layout.TRACED_PATH_LENGTH];
 
-    /** A surface: reflectivity, roughness, transmission, index, metallic as in {@code looks}, side, cosine of the ray. */
+    /**
+     * A surface: reflectivity, roughness, transmission, index, metallic as in {@code looks}, side, cosine of the ray.
+     */
     record Surfaces(
             float reflectivity,
             float roughness,
@@ -59,8 +61,8 @@ class LobesTest {
             double z = 2 * random.nextDouble() - 1;
             double turn = 2 * Math.PI * random.nextDouble();
             double level = Math.sqrt(1 - z * z);
-            density += Lobes.evaluate(
-                    path, (float) (level * Math.cos(turn)), (float) (level * Math.sin(turn)), (float) z);
+            density +=
+                    Lobes.evaluate(path, (float) (level * Math.cos(turn)), (float) (level * Math.sin(turn)), (float) z);
             for (int channel = 0; channel < 3; channel++) {
                 scattered[channel] += path[Layout.SCATTERED + channel];
             }

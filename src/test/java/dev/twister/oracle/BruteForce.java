@@ -81,8 +81,7 @@ final class BruteForce {
         double ratio = fromInside ? material.ior() : 1 / material.ior();
         boolean rough = material.roughness() > 0;
         RoughSurface facets = RoughSurface.of(material.roughness());
-        Vector facet =
-                rough ? facets.facet(normal, toViewer, random.nextDouble(), random.nextDouble()) : normal;
+        Vector facet = rough ? facets.facet(normal, toViewer, random.nextDouble(), random.nextDouble()) : normal;
         double cosine = Math.clamp(toViewer.dot(facet), 0, 1);
         boolean byFresnel = material.byFresnel();
         double constant = byFresnel ? material.metallic() : material.reflectivity() / PERFECT_MIRROR;
@@ -98,8 +97,7 @@ final class BruteForce {
         Vector reflected = direction.plus(facet.times(2 * cosine)).normalized();
         if (choice < mirrored.strongest()) {
             double weight = rough ? facets.weight(toViewer.dot(normal), reflected.dot(normal)) : 1;
-            return new Scattered(
-                    reflected, mirrored.times(weight * sum / mirrored.strongest()), fromInside, rough);
+            return new Scattered(reflected, mirrored.times(weight * sum / mirrored.strongest()), fromInside, rough);
         }
         if (choice < mirrored.strongest() + passed.strongest()) {
             boolean isSheet = body instanceof PlaneBody;
@@ -112,7 +110,8 @@ final class BruteForce {
         }
         Vector out = cosineDistributed(normal);
         double coated = byFresnel
-                ? (1 - Fresnel.reflectance(toViewer.dot(normal), ratio)) * (1 - Fresnel.reflectance(out.dot(normal), ratio))
+                ? (1 - Fresnel.reflectance(toViewer.dot(normal), ratio))
+                        * (1 - Fresnel.reflectance(out.dot(normal), ratio))
                 : 1;
         return new Scattered(out, matte.times(coated * sum / matte.strongest()), fromInside, true);
     }
@@ -121,12 +120,16 @@ final class BruteForce {
         return albedo.plus(ONE.plus(albedo.times(-1)).times(Math.pow(1 - cosine, 5)));
     }
 
-    /** A direction about the normal with a density proportional to its cosine: a point of the sphere at the normal's tip. */
+    /**
+     * A direction about the normal with a density proportional to its cosine: a point of the sphere at the normal's
+     * tip.
+     */
     private Vector cosineDistributed(Vector normal) {
         double z = 2 * random.nextDouble() - 1;
         double turn = 2 * Math.PI * random.nextDouble();
         double level = Math.sqrt(1 - z * z);
-        return normal.plus(new Vector(level * Math.cos(turn), level * Math.sin(turn), z)).normalized();
+        return normal.plus(new Vector(level * Math.cos(turn), level * Math.sin(turn), z))
+                .normalized();
     }
 
     @SuppressWarnings("ReferenceEquality") // compares identity of bodies

@@ -51,17 +51,18 @@ class BruteForceTest {
         return Stream.of(
                 Arguments.of("matte", WHITE),
                 Arguments.of("half a mirror", WHITE.withReflectivity(64)),
-                Arguments.of("rough metal", WHITE.withReflectivity(128).withMetallic(1).withRoughness(0.6)),
+                Arguments.of(
+                        "rough metal",
+                        WHITE.withReflectivity(128).withMetallic(1).withRoughness(0.6)),
                 Arguments.of("metal by Fresnel", WHITE.withMetallic(1).withRoughness(0.5)),
                 Arguments.of("half a metal by Fresnel", WHITE.withMetallic(0.5).withRoughness(0.7)),
                 Arguments.of("coated", WHITE.withRoughness(0.6)),
                 Arguments.of("glass", GLASS),
                 Arguments.of("half glass", GLASS.withTransmission(0.5).withReflectivity(20)),
                 Arguments.of("frosted glass", GLASS.withRoughness(0.6).withReflectivity(1)),
-                Arguments.of("frosted glass by Fresnel", GLASS.withRoughness(0.6).withIor(2)),
                 Arguments.of(
-                        "amber",
-                        GLASS.withAttenuation(new Attenuation(new Rgb(0.9, 0.6, 0.2), Optional.of(0.7)))),
+                        "frosted glass by Fresnel", GLASS.withRoughness(0.6).withIor(2)),
+                Arguments.of("amber", GLASS.withAttenuation(new Attenuation(new Rgb(0.9, 0.6, 0.2), Optional.of(0.7)))),
                 Arguments.of("a lamp", WHITE.withEmission(new Emission(new Rgb(1, 2, 3), 0.5, true))));
     }
 
@@ -99,7 +100,8 @@ class BruteForceTest {
                         .withBounces(6)
                         .withIntegrator(Integrator.PATH)
                         .withClamp(0));
-        Skybox sky = new Skybox(2, 2, new float[] {0.4f, 0.6f, 0.9f, 0.5f, 0.5f, 0.5f, 0.2f, 0.1f, 0.1f, 0.3f, 0.2f, 0.1f});
+        Skybox sky =
+                new Skybox(2, 2, new float[] {0.4f, 0.6f, 0.9f, 0.5f, 0.5f, 0.5f, 0.2f, 0.1f, 0.1f, 0.3f, 0.2f, 0.1f});
         SceneMeshes meshes = SceneMeshes.of(scene, _ -> MeshShapes.file(MeshShapes.icosphere(0)));
         return new LitScene(scene, SceneImages.of(sky), meshes);
     }
@@ -112,10 +114,7 @@ class BruteForceTest {
         Random random = new Random(20261126);
         bodies.set(0, new SphereBody(light.center(), light.radius(), radiating(lit, light)));
         BruteForce tracer = new BruteForce(
-                bodies,
-                new OracleSky(lit.sky(), 0, 1),
-                scene.rendering().bounces(),
-                random);
+                bodies, new OracleSky(lit.sky(), 0, 1), scene.rendering().bounces(), random);
         OracleCamera camera = new OracleCamera(scene.camera(), WIDTH, HEIGHT);
         double[][] sums = new double[2][3];
         int count = WIDTH * HEIGHT * BRUTE_SAMPLES;
@@ -140,12 +139,10 @@ class BruteForceTest {
 
     private static OracleMaterial radiating(LitScene lit, SphereBody light) {
         float[] looks = lit.world().snapshot().bodies().looks();
-        Rgb radiance = new Rgb(
-                looks[Layout.LOOK_EMISSION], looks[Layout.LOOK_EMISSION + 1], looks[Layout.LOOK_EMISSION + 2]);
+        Rgb radiance =
+                new Rgb(looks[Layout.LOOK_EMISSION], looks[Layout.LOOK_EMISSION + 1], looks[Layout.LOOK_EMISSION + 2]);
         return OracleMaterial.of(
-                Material.DEFAULT
-                        .withColor(new Rgb(0, 0, 0))
-                        .withEmission(Emission.NONE.withColor(radiance)),
+                Material.DEFAULT.withColor(new Rgb(0, 0, 0)).withEmission(Emission.NONE.withColor(radiance)),
                 lit.images());
     }
 

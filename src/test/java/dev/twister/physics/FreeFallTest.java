@@ -39,7 +39,7 @@ class FreeFallTest {
         Scene scene = Motion.scene(Physics.DEFAULT.withDamping(drag), Motion.sphere(0, 100, 0, 0.5));
         BodyStore bodies = new BodyStore(scene, scene.spheres());
         Surroundings surroundings = Surroundings.of(scene, MeshCollider.EMPTY);
-        Integrator integrator = new Integrator(bodies, surroundings);
+        VerletIntegrator integrator = new VerletIntegrator(bodies, surroundings);
         integrator.setSubstep(step);
         bodies.add(scene.spheres().getFirst().position(), 0.5);
         bodies.setMove(1, 0, integrator.moveBefore(0, -Motion.GRAVITY), 0);

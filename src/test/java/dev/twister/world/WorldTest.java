@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
-import dev.twister.scene.Camera;
 import dev.twister.scene.Attenuation;
+import dev.twister.scene.Camera;
 import dev.twister.scene.Emission;
 import dev.twister.scene.Material;
 import dev.twister.scene.Pour;
@@ -58,7 +58,8 @@ class WorldTest {
         FrameInput input = World.of(
                         scene.withSpheres(List.of(sphere)), new SceneImages(Worlds.SKY, Map.of(file, texture)))
                 .snapshot();
-        assertThat(looks(input, Layout.FIRST_SPHERE)).containsExactly(0.1f, 0.2f, 0.3f, 40, 0.41f, 0.42f, 1.43f, 1, 0.44f, 1, 2, 3, -1, 0.5f, 1, 0);
+        assertThat(looks(input, Layout.FIRST_SPHERE))
+                .containsExactly(0.1f, 0.2f, 0.3f, 40, 0.41f, 0.42f, 1.43f, 1, 0.44f, 1, 2, 3, -1, 0.5f, 1, 0);
         assertThat(input.images())
                 .startsWith(70, 71, 72, 73, 74, 75, 0)
                 .hasSize(Layout.ALIGNMENT + 3)

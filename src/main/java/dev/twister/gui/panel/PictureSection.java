@@ -4,6 +4,7 @@ import dev.twister.gui.controls.Command;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
@@ -16,6 +17,7 @@ import javafx.beans.property.BooleanProperty;
 final class PictureSection {
     private final Studio studio;
     private final List<NumberRow> numbers;
+    private final ChoiceRow<Integrator> integrator;
     private final ChoiceRow<ToneMap> toneMap;
     private final SwitchRow srgb;
     private final SwitchRow refining;
@@ -29,6 +31,13 @@ final class PictureSection {
                 new NumberRow(SceneNumbers.BOUNCES, "Alt+B", studio),
                 new NumberRow(SceneNumbers.SAMPLES_PER_PIXEL, "Alt+A", studio),
                 new NumberRow(SceneNumbers.EXPOSURE, "Alt+X", studio));
+        integrator = new ChoiceRow<>(
+                "Light",
+                "Real time: reflections and one light's shadows. Path tracing: light from everywhere, refined at rest.",
+                "Alt+I",
+                choice -> new Look(label(choice)),
+                choice -> edit("integrator", settings -> settings.withIntegrator(choice)),
+                studio::notice);
         toneMap = new ChoiceRow<>(
                 "Tone map",
                 "Maps bright colors to the range that a screen can show.",
@@ -51,7 +60,7 @@ final class PictureSection {
     }
 
     List<PanelRow> rows() {
-        return Stream.concat(numbers.stream(), Stream.of(toneMap, srgb, refining, clipping))
+        return Stream.concat(numbers.stream(), Stream.of(integrator, toneMap, srgb, refining, clipping))
                 .toList();
     }
 
@@ -59,11 +68,22 @@ final class PictureSection {
         Scene scene = studio.scene();
         Scene usual = studio.document().original();
         numbers.forEach(row -> row.show(scene, usual));
+        integrator.show(
+                List.of(Integrator.values()),
+                scene.rendering().integrator(),
+                usual.rendering().integrator());
         toneMap.show(
                 List.of(ToneMap.values()),
                 scene.rendering().toneMap(),
                 usual.rendering().toneMap());
         srgb.show(scene.rendering().srgb(), usual.rendering().srgb());
+    }
+
+    private static String label(Integrator integrator) {
+        return switch (integrator) {
+            case WHITTED -> "Real time";
+            case PATH -> "Path tracing";
+        };
     }
 
     private static String label(ToneMap map) {

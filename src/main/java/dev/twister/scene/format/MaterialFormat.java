@@ -63,7 +63,9 @@ record MaterialFormat(List<Field<Material, ?>> fields) {
 
     private static <V> Field<Material, V> emission(
             String name, ValueType<V> type, Function<Emission, V> getter, BiFunction<Emission, V, Emission> wither) {
-        return sparse(name, type, getter, wither).within(Material::emission, Material::withEmission).from(3);
+        return sparse(name, type, getter, wither)
+                .within(Material::emission, Material::withEmission)
+                .from(3);
     }
 
     private static <V> Field<Material, V> attenuation(

@@ -121,15 +121,15 @@ final class SceneFormat {
             required(ViewRules.NAME, new Text(1, SceneLimits.MAX_NAME_LENGTH), CameraView::name, CameraView::withName);
 
     private static final List<Field<Light, ?>> LIGHT = List.of(
-                    required("position", POSITION, Light::position, Light::withPosition),
-                    required("radius", LENGTH, Light::radius, Light::withRadius),
-                    required("color", ValueType.color(SceneLimits.RADIANCE), Light::color, Light::withColor),
-                    sparse(
-                                    "strength",
-                                    ValueType.present(new Decimal(SceneLimits.LIGHT_STRENGTH)),
-                                    Light::strength,
-                                    Light::withStrength)
-                            .from(3));
+            required("position", POSITION, Light::position, Light::withPosition),
+            required("radius", LENGTH, Light::radius, Light::withRadius),
+            required("color", ValueType.color(SceneLimits.RADIANCE), Light::color, Light::withColor),
+            sparse(
+                            "strength",
+                            ValueType.present(new Decimal(SceneLimits.LIGHT_STRENGTH)),
+                            Light::strength,
+                            Light::withStrength)
+                    .from(3));
 
     private static final List<Field<Ground, ?>> PLANE = List.of(
             required("size", LENGTH, Ground::size, Ground::withSize),
@@ -146,38 +146,26 @@ final class SceneFormat {
             required("radius", LENGTH, Sphere::radius, Sphere::withRadius));
 
     private static final List<Field<Rendering, ?>> RENDERING = List.of(
-                    written("width", new WholeNumber(SceneLimits.SIDE), Rendering::width, Rendering::withWidth),
-                    written("height", new WholeNumber(SceneLimits.SIDE), Rendering::height, Rendering::withHeight),
-                    written(
-                            "shadowSamples",
-                            new WholeNumber(SceneLimits.SHADOW_SAMPLES),
-                            Rendering::shadowSamples,
-                            Rendering::withShadows),
-                    written(
-                            "bounces",
-                            new WholeNumber(SceneLimits.BOUNCES),
-                            Rendering::bounces,
-                            Rendering::withBounces),
-                    written(
-                            "samplesPerPixel",
-                            new WholeNumber(SceneLimits.SAMPLES_PER_PIXEL),
-                            Rendering::samplesPerPixel,
-                            Rendering::withSamplesPerPixel),
-                    written(
-                            "exposure",
-                            new Decimal(SceneLimits.EXPOSURE),
-                            Rendering::exposure,
-                            Rendering::withExposure),
-                    written("toneMap", new Choice<>(ToneMap.class), Rendering::toneMap, Rendering::withToneMap),
-                    written("srgb", FLAG, Rendering::srgb, Rendering::withSrgb),
-                    sparse(
-                                    "integrator",
-                                    new Choice<>(Integrator.class),
-                                    Rendering::integrator,
-                                    Rendering::withIntegrator)
-                            .from(3),
-                    sparse("clamp", new Decimal(SceneLimits.CLAMP), Rendering::clamp, Rendering::withClamp)
-                            .from(3));
+            written("width", new WholeNumber(SceneLimits.SIDE), Rendering::width, Rendering::withWidth),
+            written("height", new WholeNumber(SceneLimits.SIDE), Rendering::height, Rendering::withHeight),
+            written(
+                    "shadowSamples",
+                    new WholeNumber(SceneLimits.SHADOW_SAMPLES),
+                    Rendering::shadowSamples,
+                    Rendering::withShadows),
+            written("bounces", new WholeNumber(SceneLimits.BOUNCES), Rendering::bounces, Rendering::withBounces),
+            written(
+                    "samplesPerPixel",
+                    new WholeNumber(SceneLimits.SAMPLES_PER_PIXEL),
+                    Rendering::samplesPerPixel,
+                    Rendering::withSamplesPerPixel),
+            written("exposure", new Decimal(SceneLimits.EXPOSURE), Rendering::exposure, Rendering::withExposure),
+            written("toneMap", new Choice<>(ToneMap.class), Rendering::toneMap, Rendering::withToneMap),
+            written("srgb", FLAG, Rendering::srgb, Rendering::withSrgb),
+            sparse("integrator", new Choice<>(Integrator.class), Rendering::integrator, Rendering::withIntegrator)
+                    .from(3),
+            sparse("clamp", new Decimal(SceneLimits.CLAMP), Rendering::clamp, Rendering::withClamp)
+                    .from(3));
 
     private static final Structure<Physics> PHYSICS = new Structure<>(
             Physics.DEFAULT,
@@ -374,7 +362,11 @@ final class SceneFormat {
                                         Scene::views,
                                         Scene::withViews)
                                 .from(2),
-                        required("light", structure(Light.DEFAULT, List.of(LIGHT)), Lights::first, (_, light) -> Lights.of(light))
+                        required(
+                                        "light",
+                                        structure(Light.DEFAULT, List.of(LIGHT)),
+                                        Lights::first,
+                                        (_, light) -> Lights.of(light))
                                 .within(Scene::lights, Scene::withLights),
                         sparse(MATERIALS, materials(), Scene::materials, Scene::withMaterials)
                                 .from(MATERIALS_SINCE),
@@ -389,7 +381,11 @@ final class SceneFormat {
                         sparse("skyStrength", new Decimal(SceneLimits.SKY_STRENGTH), Sky::strength, Sky::withStrength)
                                 .within(Scene::sky, Scene::withSky),
                         written("shading", SHADING, Scene::shading, Scene::withShading),
-                        written("rendering", structure(Rendering.DEFAULT, List.of(RENDERING)), Scene::rendering, Scene::withRendering),
+                        written(
+                                "rendering",
+                                structure(Rendering.DEFAULT, List.of(RENDERING)),
+                                Scene::rendering,
+                                Scene::withRendering),
                         sparse("physics", PHYSICS, Scene::physics, Scene::withPhysics),
                         sparse(
                                 "pour",

@@ -167,9 +167,9 @@ sealed interface ValueType<T>
                     && numbers().contains(found.number())) {
                 return (int) found.number();
             }
-            String older = numbers().stream().limit(newest - 1L).map(JsonText::number).collect(Collectors.joining(", "));
-            throw place.refused(
-                    older + " or " + newest + ", the versions of the format that this program reads");
+            String older =
+                    numbers().stream().limit(newest - 1L).map(JsonText::number).collect(Collectors.joining(", "));
+            throw place.refused(older + " or " + newest + ", the versions of the format that this program reads");
         }
 
         @Override

@@ -161,7 +161,8 @@ final class WholeRangesTest {
         Ground plane = scene.ground();
         Scene plain = scene.withGround(plane.withOddColor(plane.evenColor())
                 .withMaterial(plane.material().withTexture(Optional.empty())));
-        Scene dim = scene.withRendering(scene.rendering().withExposure(0)).withSky(scene.sky().withStrength(1));
+        Scene dim = scene.withRendering(scene.rendering().withExposure(0))
+                .withSky(scene.sky().withStrength(1));
         if (difference(engine, sequential, setup.with(plain)).isWithinBound()) {
             return Cause.PATTERN;
         }

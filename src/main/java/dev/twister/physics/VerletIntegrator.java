@@ -7,7 +7,7 @@ import dev.twister.scene.Vector3;
  * (x[n] - x[n-1]) + a h^2 / (1 + c h / 2)}. It has order 2 and is exact in free fall without drag (Hairer, Lubich and
  * Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet method", 2003).
  */
-final class Integrator {
+final class VerletIntegrator {
     /**
      * Limit of a body's warm-started contact impulses, in its weights; at rest they are 1. A small sphere between a
      * heavy one and the ground has thousands of weights on both sides; if one side's impulse came late, the difference
@@ -29,7 +29,7 @@ final class Integrator {
     private final double upY;
     private final double upZ;
 
-    Integrator(BodyStore bodies, Surroundings surroundings) {
+    VerletIntegrator(BodyStore bodies, Surroundings surroundings) {
         this.bodies = bodies;
         this.surroundings = surroundings;
         Vector3 up = surroundings.up();

@@ -1,8 +1,8 @@
 package dev.twister.kernel;
 
 /** Directions given in a frame about an axis. */
-final class Direction {
-    private Direction() {}
+final class TangentFrame {
+    private TangentFrame() {}
 
     /**
      * Writes a direction given in the frame of a unit vector N (Duff et al., "Building an Orthonormal Basis,
@@ -13,8 +13,7 @@ final class Direction {
      * @param y component along the second tangent
      * @param z component along N
      */
-    static void write(
-            float[] path, int at, float normalX, float normalY, float normalZ, float x, float y, float z) {
+    static void write(float[] path, int at, float normalX, float normalY, float normalZ, float x, float y, float z) {
         float sign = normalZ < 0f ? -1f : 1f;
         float a = -1f / (sign + normalZ);
         float b = normalX * normalY * a;
