@@ -80,7 +80,6 @@ final class LightSamples {
         }
         ray[Layout.LEAVING] = own;
         ray[Layout.LEAVING_TRIANGLE] = path[Layout.LEAVING_TRIANGLE];
-        Bodies bodies = input.bodies();
         int body = Hit.find(
                 ray,
                 scratch,

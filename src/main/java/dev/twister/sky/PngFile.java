@@ -126,7 +126,7 @@ final class PngFile implements EncodedImage {
             readChunk(position, type, length);
             position += FRAME_BYTES + length;
         }
-        if (!Deflate.canHold(dataBytes, uncompressed)) {
+        if (!Deflate.canHold(/* compressed= */ dataBytes, /* bytes= */ uncompressed)) {
             throw new IOException(
                     "a PNG of " + uncompressed + " bytes cannot come from " + dataBytes + " compressed ones");
         }

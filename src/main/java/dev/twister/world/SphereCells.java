@@ -38,7 +38,7 @@ final class SphereCells {
     private final float[] scale = new float[3];
     private final int[] along = new int[3];
 
-    /** Sorts the spheres among these bodies, given {@link Bodies#places}. */
+    /** Sorts the spheres among these bodies, given {@link Bodies#floats}. */
     SphereCells(float[] places, int bodies) {
         this.places = places;
         this.bodies = bodies;

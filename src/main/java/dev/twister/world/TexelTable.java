@@ -76,7 +76,7 @@ final class TexelTable {
         int at = looks.length;
         for (Path file : textures) {
             Skybox texture = images.textureByFile().get(file);
-            extended[at + Layout.TEXTURE_START] = aligned(end) / Layout.ALIGNMENT;
+            extended[at + Layout.TEXTURE_START] = (int) (aligned(end) / Layout.ALIGNMENT);
             extended[at + Layout.TEXTURE_WIDTH] = texture.width();
             extended[at + Layout.TEXTURE_HEIGHT] = texture.height();
             end = aligned(end) + texture.radiance().length;
