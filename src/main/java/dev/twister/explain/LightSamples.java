@@ -84,9 +84,9 @@ final class LightSamples {
                 ray,
                 scratch,
                 input.view().frame(),
-                bodies.floats(),
-                bodies.looks(),
-                bodies.meshes(),
+                input.bodies().floats(),
+                input.bodies().looks(),
+                input.bodies().meshes(),
                 input.variant(false));
         boolean between = body >= Layout.PLANE && ray[Layout.DISTANCE] < length;
         return between ? body : Layout.NOTHING;
