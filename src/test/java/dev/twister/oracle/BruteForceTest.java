@@ -112,18 +112,17 @@ class BruteForceTest {
         List<Body> bodies = new ArrayList<>(OracleTracer.bodies(scene, lit.images(), lit.meshes()));
         SphereBody light = (SphereBody) bodies.getFirst();
         Random random = new Random(20261126);
-        bodies.set(0, new SphereBody(light.center(), light.radius(), radiating(lit, light)));
+        bodies.set(0, new SphereBody(light.center(), light.radius(), radiating(lit)));
         BruteForce tracer = new BruteForce(
                 bodies, new OracleSky(lit.sky(), 0, 1), scene.rendering().bounces(), random);
         OracleCamera camera = new OracleCamera(scene.camera(), WIDTH, HEIGHT);
         double[][] sums = new double[2][3];
         int count = WIDTH * HEIGHT * BRUTE_SAMPLES;
         for (int i = 0; i < count; i++) {
-            int pixel = i % (WIDTH * HEIGHT);
+            int column = i % WIDTH;
+            int row = i / WIDTH % HEIGHT;
             ViewRay ray = camera.ray(
-                    pixel % WIDTH + random.nextDouble(),
-                    pixel / WIDTH + random.nextDouble(),
-                    new SampleNumbers(pixel % WIDTH, pixel / WIDTH, 0));
+                    column + random.nextDouble(), row + random.nextDouble(), new SampleNumbers(column, row, 0));
             Color color = tracer.color(ray.ray());
             add(sums, 0, color.red());
             add(sums, 1, color.green());
@@ -137,7 +136,7 @@ class BruteForceTest {
         return sums;
     }
 
-    private static OracleMaterial radiating(LitScene lit, SphereBody light) {
+    private static OracleMaterial radiating(LitScene lit) {
         float[] looks = lit.world().snapshot().bodies().looks();
         Rgb radiance =
                 new Rgb(looks[Layout.LOOK_EMISSION], looks[Layout.LOOK_EMISSION + 1], looks[Layout.LOOK_EMISSION + 2]);
