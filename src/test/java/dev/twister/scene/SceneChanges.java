@@ -87,7 +87,7 @@ public final class SceneChanges {
 
     private static Object next(Enum<?> constant) {
         Object[] all = constant.getDeclaringClass().getEnumConstants();
-        return all[(constant.ordinal() + 1) % all.length];
+        return all[(List.of(all).indexOf(constant) + 1) % all.length];
     }
 
     private static List<Object> replaced(List<?> items, Object first) {
