@@ -28,9 +28,9 @@ final class PictureSection {
         this.studio = studio;
         numbers = NumberRow.of(SceneNumbers.PICTURE, studio);
         integrator = new ChoiceRow<>(
-                "Light",
+                "Integrator",
                 "Real time: reflections and one light's shadows. Path tracing: light from everywhere, refined at rest.",
-                "Alt+I",
+                "Alt+Shift+L",
                 choice -> new Look(label(choice)),
                 choice -> edit("integrator", settings -> settings.withIntegrator(choice)),
                 studio::notice);
