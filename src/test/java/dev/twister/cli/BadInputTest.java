@@ -60,7 +60,7 @@ class BadInputTest {
                 "render benchmark -o FOLDER/a.png --shadow-samples 1e3 | --shadow-samples",
                 "render benchmark -o FOLDER/a.png --shadow-sampels 3 | --shadow-samples",
                 "render benchmark -o FOLDER/a.png --bounces -1 | --bounces is -1, but must be from 0 to 64",
-                "render benchmark -o FOLDER/a.png --samples 1025 | --samples is 1025, but must be from 1 to 1024",
+                "render benchmark -o FOLDER/a.png --samples 65537 | --samples is 65537, but must be from 1 to 65536",
                 "render benchmark -o FOLDER/a.png --exposure NaN | --exposure is NaN, but must be from -20 to 20",
                 "render benchmark -o FOLDER/a.png --exposure Infinity | from -20 to 20",
                 "render benchmark -o FOLDER/a.png --exposure bright | 'bright' is not an exposure; write stops, such as 1.5, or auto",
