@@ -36,4 +36,9 @@ record Members<T>(Text name, ValueType<T> type, int limit) implements ValueType<
         value.forEach((key, item) -> members.add(JsonText.member(key, type.write(item))));
         return members.isEmpty() ? "{}" : "{\n    " + String.join(",\n    ", members) + "\n  }";
     }
+
+    @Override
+    public int version(SequencedMap<String, T> value) {
+        return value.values().stream().mapToInt(type::version).max().orElse(1);
+    }
 }
