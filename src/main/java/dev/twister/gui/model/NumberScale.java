@@ -59,7 +59,7 @@ public record NumberScale(Range allowed, Range slid, Spread spread, int decimals
     /**
      * The number that an arrow key leads to.
      *
-     * @param steps hundredths of the slider; the step is at least the last decimal
+     * @param steps steps of 1 % of the slider; the step is at least the last decimal
      */
     public double stepped(double number, double steps) {
         double finest = Math.pow(10, -places(number));
