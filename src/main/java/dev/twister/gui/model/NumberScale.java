@@ -56,7 +56,7 @@ public record NumberScale(Range allowed, Range slid, Spread spread, int decimals
         return slid.clamp(rounded(number));
     }
 
-    /*
+    /**
      * The number that an arrow key leads to.
      *
      * @param steps steps of 1 % of the slider; the step is at least the last decimal
@@ -68,7 +68,7 @@ public record NumberScale(Range allowed, Range slid, Spread spread, int decimals
         return moved ? next : slid.clamp(rounded(number + Math.signum(steps) * finest));
     }
 
-    /* The number moved by a multiple of the slider's width, not rounded and not bounded by the slider's ends. */
+    /** The number moved by a multiple of the slider's width, not rounded and not bounded by the slider's ends. */
     public double movedBy(double number, double widths) {
         double moved = switch (spread) {
             case LINEAR, AROUND -> number + widths * (slid.max() - slid.min());
@@ -77,17 +77,17 @@ public record NumberScale(Range allowed, Range slid, Spread spread, int decimals
         return allowed.clamp(moved);
     }
 
-    /* Rounds to the shown decimals. */
+    /** Rounds to the shown decimals. */
     public double rounded(double number) {
         return decimal(number).doubleValue();
     }
 
-    /* The number as it is shown: {@code 50} or {@code -1.25}. */
+    /** The number as it is shown: {@code 50} or {@code -1.25}. */
     public String text(double number) {
         return decimal(number).stripTrailingZeros().toPlainString();
     }
 
-    /* Reads a typed number; empty if it is none or not allowed. */
+    /** Reads a typed number; empty if it is none or not allowed. */
     public Optional<Double> parse(String typed) {
         try {
             return Optional.of(new BigDecimal(typed.strip().replace(',', '.')).doubleValue())
