@@ -30,7 +30,7 @@ final class PictureSection {
         integrator = new ChoiceRow<>(
                 "Integrator",
                 "Real time: reflections and one light's shadows. Path tracing: light from everywhere, refined at rest.",
-                "Alt+Shift+L",
+                "Alt+Shift+V",
                 choice -> new Look(label(choice)),
                 choice -> edit("integrator", settings -> settings.withIntegrator(choice)),
                 studio::notice);
