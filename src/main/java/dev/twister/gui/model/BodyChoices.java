@@ -55,7 +55,7 @@ public final class BodyChoices {
     public static String title(Scene scene, int body) {
         if (BodyEdits.isMesh(scene, body)) {
             return "Mesh " + (BodyNumber.mesh(body) + 1) + " ("
-                    + BodyEdits.mesh(scene, body).file().getFileName() + ")";
+                    + BodyEdits.mesh(scene, body).geometry().name() + ")";
         }
         return switch (body) {
             case BodyNumber.NONE -> "Nothing";
