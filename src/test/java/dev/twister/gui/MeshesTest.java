@@ -335,7 +335,7 @@ class MeshesTest {
         Path mesh = Files.copy(VASE, folder.resolve("pot.obj"));
         driver.run(() -> driver.window.workbench().files().drop(List.of(mesh)));
         driver.await(() -> driver.studio.scene().meshes().stream()
-                .anyMatch(shown -> shown.file().equals(mesh)));
+                .anyMatch(shown -> shown.file().equals(Optional.of(mesh))));
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("pot.json – Twister");
         DrawnPicture picture = awaitMeshes();
         assertThat(picture.input().bodies().firstMesh()).isPositive();
