@@ -41,7 +41,7 @@ final class PathRecorder {
         while (goesOn) {
             float[] met = path.clone();
             int body = find(met);
-            Optional<SurfaceRecorder> surface = body >= Layout.PLANE
+            Optional<SurfaceRecorder> surface = body != Layout.NOTHING && !input.isLight(body)
                     ? Optional.of(new SurfaceRecorder(input, met, scratch, body))
                     : Optional.empty();
             int waiting = waiting();
@@ -103,6 +103,15 @@ final class PathRecorder {
         }
     }
 
+    private int light(int body) {
+        for (int light = 0; light < input.lights(); light++) {
+            if (body == input.light(light)) {
+                return light;
+            }
+        }
+        return PathStep.NO_LIGHT;
+    }
+
     private PathStep step(Source source, int body, float[] ray, Optional<ShadedSurface> shading) {
         Vector3 origin = input.bodies().origin();
         Rgb adds = Floats.rgb(path, Layout.RADIANCE);
@@ -115,6 +124,7 @@ final class PathRecorder {
                 ray[Layout.INSIDE] > 0,
                 Floats.rgb(ray, Layout.THROUGHPUT),
                 body,
+                light(body),
                 body == Layout.NOTHING ? 0 : ray[Layout.DISTANCE],
                 shading,
                 adds);

@@ -53,6 +53,9 @@ public final class PathText {
                 Locale.ROOT,
                 "%nadds = throughput * ((1 - m) (1 - t) lit C + lightColor spec);"
                         + " light and sky add throughput * their radiance%n"));
+        if (steps.stream().anyMatch(PathText::hasSeveralLights)) {
+            text.append("lit = max(ambient, sum of k max(0, N.L) S); each light adds its own lightColor spec\n");
+        }
         text.append(String.format(
                 Locale.ROOT,
                 "Sum of the steps: %s. Pixel: %s, shown as %d %d %d%n",
@@ -66,16 +69,17 @@ public final class PathText {
 
     private static List<String> row(int number, PathStep step) {
         Optional<ShadedSurface> shading = step.shading();
+        Optional<LightPart> light = shading.flatMap(ShadedSurface::onlyLight);
         return List.of(
                 Integer.toString(number),
                 step.parent() == PathStep.NO_PARENT ? "-" : Integer.toString(step.parent()),
                 step.kind().id(),
-                PathStep.bodyName(step.body()),
+                step.meets(),
                 step.body() == Layout.NOTHING ? "-" : number("%.3f m", step.distance()),
-                cell(shading.map(ShadedSurface::normalDotLight)),
-                cell(shading.map(ShadedSurface::visible)),
+                cell(light.map(LightPart::normalDotLight)),
+                cell(light.map(LightPart::visible)),
                 cell(shading.map(ShadedSurface::lit)),
-                cell(shading.map(ShadedSurface::specular)),
+                cell(light.map(LightPart::specular)),
                 cell(shading.map(ShadedSurface::mirror)),
                 cell(shading.map(ShadedSurface::transmission)),
                 cell(shading.map(ShadedSurface::reflectance)),
@@ -102,17 +106,40 @@ public final class PathText {
         return column < TEXTS ? text + spaces : spaces + text;
     }
 
+    private static boolean hasSeveralLights(PathStep step) {
+        return step.shading().filter(shading -> shading.onlyLight().isEmpty()).isPresent();
+    }
+
     private static String surface(int step, ShadedSurface shading) {
+        String lights = shading.onlyLight()
+                .map(only -> "; " + shadow(only.shadowRays()) + "\n")
+                .orElseGet(() -> shading.lights().stream()
+                        .map(light -> light(step, light))
+                        .collect(Collectors.joining("", "\n", "")));
         return String.format(
                 Locale.ROOT,
-                "step %d: point %s, N %s, C %s, p %s%s; %s%n",
+                "step %d: point %s, N %s, C %s, p %s%s%s",
                 step,
                 vector(shading.point()),
                 vector(shading.normal()),
                 rgb(shading.albedo()),
                 number("%.4g", shading.reflectivity()),
                 shading.roughness() > 0 ? ", roughness " + number("%.3f", shading.roughness()) : "",
-                shadow(shading.shadowRays()));
+                lights);
+    }
+
+    private static String light(int step, LightPart light) {
+        return String.format(
+                Locale.ROOT,
+                "step %d, light %d: N.L %s, S %s, k %s, adds %s to lit, spec %s; %s%n",
+                step,
+                light.light() + 1,
+                number("%.4f", light.normalDotLight()),
+                number("%.4f", light.visible()),
+                number("%.4g", light.share()),
+                number("%.4f", light.lit()),
+                number("%.4f", light.specular()),
+                shadow(light.shadowRays()));
     }
 
     private static String shadow(List<LightSample> rays) {

@@ -54,11 +54,13 @@ public final class PathTracer {
                     meet(path, body, frame, bodies, looks, meshes, images, variant);
                     addEmission(path, body, bounce, frame, bodies, looks, variant);
                 }
-                if (body > Layout.LIGHT) {
+                int isLight = SeveralLights.contain(body, frame, variant);
+                int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - isLight);
+                if (isSurface != 0) {
                     toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
                     bounce = bounce + 1;
                 }
-                goesOn = body > Layout.LIGHT ? carriesLight(path) : 0;
+                goesOn = isSurface != 0 ? carriesLight(path) : 0;
                 Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
             }
             if (toEmitter == 0) {

@@ -1,5 +1,6 @@
 package dev.twister.gui.picture;
 
+import dev.twister.explain.LightPart;
 import dev.twister.explain.PathStep;
 import dev.twister.explain.PixelPath;
 import dev.twister.explain.ShadedSurface;
@@ -10,6 +11,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.collections.FXCollections;
 import javafx.geometry.Pos;
@@ -40,10 +42,10 @@ public final class PathTable extends VBox {
         column("Ray", 8.2, this::ray);
         column("Meets", 5.5, step -> InspectorText.bodyName(pick.sceneBody(step.body())));
         column("Distance", 6, step -> step.distance() == 0 ? "" : number(step.distance()) + " m");
-        shading("N·L", 3.9, ShadedSurface::normalDotLight);
-        shading("S", 3.6, ShadedSurface::visible);
+        lights("N·L", 3.9, LightPart::normalDotLight);
+        lights("S", 3.6, LightPart::visible);
         shading("lit", 3.6, ShadedSurface::lit);
-        shading("spec", 3.8, ShadedSurface::specular);
+        lights("spec", 3.8, LightPart::specular);
         column(
                 "C",
                 9,
@@ -105,6 +107,18 @@ public final class PathTable extends VBox {
                 width,
                 step -> step.shading()
                         .map(shading -> number(value.applyAsDouble(shading)))
+                        .orElse(""));
+    }
+
+    /** With a line for each light. */
+    private void lights(String name, double width, ToDoubleFunction<LightPart> value) {
+        column(
+                name,
+                width,
+                step -> step.shading()
+                        .map(shading -> shading.lights().stream()
+                                .map(light -> number(value.applyAsDouble(light)))
+                                .collect(Collectors.joining("\n")))
                         .orElse(""));
     }
 
