@@ -117,6 +117,8 @@ final class PathRecorder {
                 body,
                 body == Layout.NOTHING ? 0 : ray[Layout.DISTANCE],
                 shading,
+                Optional.empty(),
+                Optional.empty(),
                 adds);
     }
 }

@@ -17,7 +17,9 @@ import java.util.Optional;
  * @param body what it meets, as view {@code body} numbers it: {@link Layout#NOTHING} is the sky, {@link Layout#LIGHT}
  *     and {@link Layout#PLANE} are what they say, spheres follow
  * @param distance in meters; 0 where it meets nothing
- * @param shading of the surface it meets; none for the light and the sky
+ * @param shading of the surface it meets; none for the light and the sky, and in path tracing
+ * @param light found in path tracing
+ * @param scattering at the surface in path tracing
  * @param adds radiance that the step adds to the pixel's sample
  */
 public record PathStep(
@@ -31,6 +33,8 @@ public record PathStep(
         int body,
         double distance,
         Optional<ShadedSurface> shading,
+        Optional<FoundLight> light,
+        Optional<Scattering> scattering,
         Rgb adds) {
     public static final int NO_PARENT = -1;
 
