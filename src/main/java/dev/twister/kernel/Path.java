@@ -85,25 +85,12 @@ public final class Path {
             float[] meshes,
             float[] images,
             int variant) {
-        findSurface(path, body, frame, bodies, looks, meshes, images, variant);
-        Illumination.aim(path, bodies);
-    }
-
-    /** Writes hit point, normal and material of the surface that the path's ray hits. */
-    static void findSurface(
-            float[] path,
-            int body,
-            float[] frame,
-            float[] bodies,
-            float[] looks,
-            float[] meshes,
-            float[] images,
-            int variant) {
         Surface.find(path, body, frame, bodies, meshes, variant);
         SurfaceLook.find(path, body, frame, looks, images, variant);
         if ((variant & Variant.MATERIALS) != 0) {
             Surface.face(path, body, frame, variant);
         }
+        Illumination.aim(path, bodies);
     }
 
     /** S at the surface that the ray has hit: {@link Shadow#visible}; 1 if the surface is not shaded. */

@@ -106,7 +106,9 @@ public final class PathTracer {
             float[] meshes,
             float[] images,
             int variant) {
-        Path.findSurface(path, body, frame, bodies, looks, meshes, images, variant);
+        Surface.find(path, body, frame, bodies, meshes, variant);
+        SurfaceLook.find(path, body, frame, looks, images, variant);
+        Surface.face(path, body, frame, variant);
         int medium = path[Layout.FROM_INSIDE] > 0f ? body : (int) path[Layout.LEAVING];
         if (path[Layout.FROM_INSIDE] + path[Layout.INSIDE] > 0f) {
             absorb(path, Layout.LOOK_STRIDE * medium + Layout.LOOK_ABSORPTION, looks);
