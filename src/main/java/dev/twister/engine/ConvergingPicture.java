@@ -5,6 +5,7 @@ import dev.twister.image.FrameTimes;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.world.FrameInput;
+import java.util.function.Consumer;
 
 /**
  * A picture that accumulates samples until its noise is low. The samples form two independent halves. Half their
@@ -16,8 +17,11 @@ public final class ConvergingPicture {
     /** Samples per pixel in each half of the first pass. */
     private static final int FIRST_SAMPLES = 4;
 
-    /** Limit of samples per pixel in one call of an engine. */
-    private static final int MOST_AT_ONCE = 1024;
+    /** Limit of samples per pixel in one call of an engine, so that progress is reported. */
+    private static final int MOST_AT_ONCE = 64;
+
+    /** A pass adds at least this part of the samples so far. */
+    private static final double LEAST_GROWTH = 0.125;
 
     /** Side of the square blocks, in pixels; the noise of the noisiest block counts. */
     private static final int BLOCK = 16;
@@ -35,24 +39,61 @@ public final class ConvergingPicture {
     }
 
     /**
+     * How far a picture has converged.
+     *
+     * @param samples per pixel so far
+     * @param noise estimated standard error of the noisiest block, relative to white
+     */
+    public record Convergence(int samples, double noise) {
+        /**
+         * The samples per pixel that the picture takes, if noise falls with their square root.
+         *
+         * @param bound the noise to reach; 0 for all samples
+         * @param most limit of samples per pixel
+         */
+        public int expectedSamples(double bound, int most) {
+            return bound > 0 ? (int) Math.clamp(Math.ceil(samples * square(noise / bound)), samples, most) : most;
+        }
+    }
+
+    /**
      * Renders a picture, or a band of rows, with as many samples as necessary.
      *
      * @param frame receives the picture, linear or not, and the total times of all passes
      * @param noise the noise to reach, relative to white; with 0 the picture gets all samples
      * @param mostSamples limit of samples per pixel, at least 8, even if more noise is left
-     * @return the number of samples per pixel
+     * @param watcher called after each pass
      */
-    public static int draw(Engine engine, FrameInput input, Frame frame, double noise, int mostSamples) {
+    public static Convergence draw(
+            Engine engine,
+            FrameInput input,
+            Frame frame,
+            double noise,
+            int mostSamples,
+            Consumer<Convergence> watcher) {
         FrameFit.check(input, frame);
         ConvergingPicture picture = new ConvergingPicture(input);
         int more = FIRST_SAMPLES;
-        do {
+        Convergence reached = new Convergence(0, Double.MAX_VALUE);
+        while (more > 0 && reached.noise() > noise) {
             picture.add(engine, more);
-            int left = mostSamples / 2 - picture.samplesOfHalf;
-            more = Math.min(Math.min(picture.samplesOfHalf, MOST_AT_ONCE), left);
-        } while (more > 0 && picture.noise() > noise);
+            reached = new Convergence(2 * picture.samplesOfHalf, picture.noise());
+            watcher.accept(reached);
+            more = picture.more(reached.expectedSamples(noise, mostSamples) / 2, mostSamples / 2);
+        }
         picture.write(frame);
-        return 2 * picture.samplesOfHalf;
+        return reached;
+    }
+
+    /** Samples per pixel and half of the next pass: at most as many as so far, because the estimate is rough. */
+    private int more(int expected, int most) {
+        int least = (int) Math.ceil(LEAST_GROWTH * samplesOfHalf);
+        int wanted = Math.clamp(expected - samplesOfHalf, least, samplesOfHalf);
+        return Math.min(Math.min(wanted, MOST_AT_ONCE), most - samplesOfHalf);
+    }
+
+    private static double square(double value) {
+        return value * value;
     }
 
     private void add(Engine engine, int samples) {
