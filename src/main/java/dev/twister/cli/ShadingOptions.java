@@ -52,6 +52,6 @@ final class ShadingOptions {
     }
 
     boolean areGiven() {
-        return shadowSamples.isPresent() || bounces.isPresent();
+        return shadowSamples.isPresent() || bounces.isPresent() || integrator.isPresent() || clamp.isPresent();
     }
 }

@@ -1,5 +1,6 @@
 package dev.twister.explain;
 
+import dev.twister.explain.Scattering.LobeChoice;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
@@ -20,6 +21,9 @@ public final class PathJson {
         tree.put("pixel", List.of(path.column(), path.row()));
         tree.put("sample", path.sample());
         tree.put("samples", path.samples());
+        if (path.lights().size() > 1) {
+            tree.put("lights", path.lights());
+        }
         tree.put("steps", steps(path.steps()));
         tree.put("sampleRadiance", rgb(path.radiance()));
         tree.put("pixelRadiance", rgb(path.pixel()));
@@ -45,17 +49,53 @@ public final class PathJson {
             tree.put("inside", step.inside());
             tree.put("throughput", rgb(step.throughput()));
             tree.put("body", step.body());
-            if (step.light() > 0) {
-                tree.put("light", step.light());
-            }
             if (step.body() != Layout.NOTHING) {
                 tree.put("distance", number(step.distance()));
             }
             step.shading().ifPresent(shading -> tree.put("surface", surface(shading)));
+            step.light().ifPresent(light -> tree.put("light", light(light)));
+            step.scattering().ifPresent(scattering -> tree.put("scattering", scattering(scattering)));
             tree.put("adds", rgb(step.adds()));
             list.add(tree);
         }
         return list;
+    }
+
+    private static Map<String, Object> light(FoundLight light) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("radiance", rgb(light.radiance()));
+        tree.put("surfaceDensity", number(light.surfaceDensity()));
+        tree.put("emitterDensity", number(light.emitterDensity()));
+        tree.put("weight", number(light.weight()));
+        return tree;
+    }
+
+    private static Map<String, Object> scattering(Scattering scattering) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("point", vector(scattering.point()));
+        tree.put("normal", vector(scattering.normal()));
+        tree.put("albedo", rgb(scattering.albedo()));
+        tree.put("roughness", number(scattering.roughness()));
+        tree.put("mirrorProbability", number(scattering.mirror()));
+        tree.put("matteProbability", number(scattering.matte()));
+        tree.put("glassProbability", number(scattering.glass()));
+        scattering.emitter().ifPresent(emitter -> {
+            tree.put("emitter", emitter.body());
+            tree.put("emitterProbability", number(emitter.probability()));
+        });
+        scattering.next().ifPresent(next -> tree.put("next", lobe(next)));
+        return tree;
+    }
+
+    private static Map<String, Object> lobe(LobeChoice lobe) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("ray", lobe.kind().id());
+        tree.put("probability", number(lobe.probability()));
+        tree.put("surfaceDensity", number(lobe.density()));
+        tree.put("factor", rgb(lobe.factor()));
+        tree.put("survival", number(lobe.survival()));
+        tree.put("goesOn", lobe.goesOn());
+        return tree;
     }
 
     private static Map<String, Object> surface(ShadedSurface shading) {

@@ -103,15 +103,6 @@ final class PathRecorder {
         }
     }
 
-    private int light(int body) {
-        for (int light = 0; light < input.lights(); light++) {
-            if (body == input.light(light)) {
-                return light;
-            }
-        }
-        return PathStep.NO_LIGHT;
-    }
-
     private PathStep step(Source source, int body, float[] ray, Optional<ShadedSurface> shading) {
         Vector3 origin = input.bodies().origin();
         Rgb adds = Floats.rgb(path, Layout.RADIANCE);
@@ -124,9 +115,10 @@ final class PathRecorder {
                 ray[Layout.INSIDE] > 0,
                 Floats.rgb(ray, Layout.THROUGHPUT),
                 body,
-                light(body),
                 body == Layout.NOTHING ? 0 : ray[Layout.DISTANCE],
                 shading,
+                Optional.empty(),
+                Optional.empty(),
                 adds);
     }
 }

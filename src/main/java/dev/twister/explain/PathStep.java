@@ -16,9 +16,10 @@ import java.util.Optional;
  * @param throughput what part of the radiance it finds reaches the pixel
  * @param body what it meets, as view {@code body} numbers it: {@link Layout#NOTHING} is the sky, {@link Layout#LIGHT}
  *     the first light, {@link Layout#PLANE} the plane, spheres follow
- * @param light the number of the light that it meets, from 0; {@link #NO_LIGHT} if it meets none
  * @param distance in meters; 0 where it meets nothing
- * @param shading of the surface it meets; none for a light and the sky
+ * @param shading of the surface it meets; none for a light and the sky, and in path tracing
+ * @param light found in path tracing
+ * @param scattering at the surface in path tracing
  * @param adds radiance that the step adds to the pixel's sample
  */
 public record PathStep(
@@ -30,25 +31,10 @@ public record PathStep(
         boolean inside,
         Rgb throughput,
         int body,
-        int light,
         double distance,
         Optional<ShadedSurface> shading,
+        Optional<FoundLight> light,
+        Optional<Scattering> scattering,
         Rgb adds) {
     public static final int NO_PARENT = -1;
-    public static final int NO_LIGHT = -1;
-
-    /** Such as {@code sky}, {@code light}, {@code light 2}, {@code plane} or {@code body 5}. */
-    public String meets() {
-        return light > 0 ? "light " + (light + 1) : bodyName(body);
-    }
-
-    /** As above, for what is no light but the first. */
-    public static String bodyName(int body) {
-        return switch (body) {
-            case Layout.NOTHING -> "sky";
-            case Layout.LIGHT -> "light";
-            case Layout.PLANE -> "plane";
-            default -> "body " + body;
-        };
-    }
 }

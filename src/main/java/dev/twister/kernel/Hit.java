@@ -22,7 +22,7 @@ public final class Hit {
      *
      * @param limit in meters
      */
-    static int within(
+    public static int within(
             float[] path,
             float limit,
             float[] scratch,

@@ -108,7 +108,7 @@ public final class Layout {
     /**
      * A sample of the pixel, {@value #SAMPLE_STRIDE} floats: its position in the pixel, x and y in (0, 1); then pairs
      * of numbers in [0, 1), one pair for the lens and one for the surface of each of the first
-     * {@value #SAMPLE_SURFACES} bounces; later bounces reuse them.
+     * {@value #SAMPLE_SURFACES} bounces; {@link Noise} has more for later ones.
      */
     public static final int SAMPLE_LENS = 2;
 

@@ -3,8 +3,10 @@ package dev.twister.explain;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import dev.twister.engine.JvmEngines;
+import dev.twister.explain.Scattering.LobeChoice;
 import dev.twister.kernel.Layout;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.Pictures;
@@ -14,6 +16,7 @@ import dev.twister.oracle.RandomMeshes;
 import dev.twister.oracle.ShippedScenes;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Rendering;
@@ -68,6 +71,93 @@ class PixelPathTest {
             LitScene lit = RandomLights.added(scene, random);
             pathsAddUp(input(lit, lit.scene().rendering()));
         }
+    }
+
+    @ParameterizedTest
+    @MethodSource("shipped")
+    void tracedPathsOfShippedScenesAddUp(String name) {
+        LitScene scene = ShippedScenes.quick(name);
+        Rendering settings = scene.scene().rendering();
+        pathsAddUp(input(
+                scene,
+                settings.withSize(48, 27)
+                        .withIntegrator(Integrator.PATH)
+                        .withBounces(12)
+                        .withSamplesPerPixel(3)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 8})
+    void tracedPathsOfRandomScenesAddUp(int bounces) {
+        for (int seed = 0; seed < 8; seed++) {
+            Random random = new Random(seed);
+            LitScene scene =
+                    seed % 2 == 0 ? RandomMaterials.scene(random, bounces) : RandomMeshes.scene(random, bounces);
+            pathsAddUp(input(scene, scene.scene().rendering().withIntegrator(Integrator.PATH)));
+        }
+    }
+
+    /** Also those of a single sample, which is a picture of its own. */
+    @Test
+    void aTracedSampleIsThatOfTheEngine() {
+        LitScene scene = ShippedScenes.small("weekend");
+        FrameInput input = input(scene, scene.scene().rendering().withSize(48, 27));
+        float[] sample = Pictures.radiance(JvmEngines.SEQUENTIAL, input.withSamples(3, 1));
+        for (int pixel = 0; pixel < 48 * 27; pixel += 19) {
+            // An even number of samples begins with item 1 of the sequence.
+            Rgb radiance = PixelPath.of(input, pixel % 48, pixel / 48, 2).radiance();
+            assertThat(radiance).isEqualTo(new Rgb(sample[3 * pixel], sample[3 * pixel + 1], sample[3 * pixel + 2]));
+        }
+    }
+
+    @Test
+    void tracedStepsAddWhatTheirNumbersSay() {
+        LitScene scene = RandomMaterials.scene(new Random(4), 8);
+        FrameInput input = input(
+                scene, scene.scene().rendering().withIntegrator(Integrator.PATH).withClamp(0));
+        int found = 0;
+        for (int pixel = 0; pixel < input.width() * input.height(); pixel += 5) {
+            PixelPath path = PixelPath.of(input, pixel % input.width(), pixel / input.width(), 0);
+            assertThat(path.isTraced()).isTrue();
+            for (PathStep step : path.steps()) {
+                step.scattering()
+                        .ifPresent(surface -> assertThat(surface.mirror() + surface.matte() + surface.glass())
+                                .isCloseTo(1, within(1e-5)));
+                if (step.adds().green() > 0) {
+                    FoundLight light = step.light().orElseThrow();
+                    double green = step.throughput().green()
+                            * light.weight()
+                            * light.radiance().green();
+                    assertThat(step.adds().green()).isCloseTo(green, withinPercentage(0.01));
+                    found++;
+                }
+            }
+        }
+        assertThat(found).isGreaterThan(50);
+    }
+
+    /** A path goes on with what its surface says, unless Russian roulette ends it. */
+    @Test
+    void throughputsFollowFromTheChoices() {
+        LitScene scene = ShippedScenes.small("weekend");
+        FrameInput input = input(scene, scene.scene().rendering().withSize(48, 27));
+        int followed = 0;
+        for (int pixel = 0; pixel < 48 * 27; pixel += 7) {
+            List<PathStep> steps =
+                    PixelPath.of(input, pixel % 48, pixel / 48, 0).steps();
+            for (PathStep step : steps) {
+                if (step.parent() != PathStep.NO_PARENT && step.kind() != RayKind.EMITTER) {
+                    PathStep parent = steps.get(step.parent());
+                    LobeChoice next = parent.scattering().orElseThrow().next().orElseThrow();
+                    double red = parent.throughput().red() * next.factor().red() / next.survival();
+                    assertThat(next.goesOn()).isTrue();
+                    assertThat(step.kind()).isEqualTo(next.kind());
+                    assertThat(step.throughput().red()).isCloseTo(red, withinPercentage(0.01));
+                    followed++;
+                }
+            }
+        }
+        assertThat(followed).isGreaterThan(100);
     }
 
     /** Glass, rough surfaces and meshes: the kernel's view of bounces counts all rays after the view rays. */
@@ -140,9 +230,15 @@ class PixelPathTest {
             PathStep parent = steps.get(step.parent());
             assertThat(step.parent()).isLessThan(i);
             assertThat(step.bounce()).isEqualTo(parent.bounce() + 1);
-            assertThat(step.origin()).isEqualTo(parent.shading().orElseThrow().point());
+            assertThat(step.origin()).isEqualTo(point(parent));
             assertThat(step.kind()).isNotEqualTo(RayKind.VIEW);
         }
+    }
+
+    private static Vector3 point(PathStep step) {
+        return step.shading()
+                .map(ShadedSurface::point)
+                .orElseGet(() -> step.scattering().orElseThrow().point());
     }
 
     /** The ray goes straight down onto a half mirror; the reflected ray hits the sky. */
