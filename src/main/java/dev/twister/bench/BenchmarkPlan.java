@@ -1,6 +1,5 @@
 package dev.twister.bench;
 
-import dev.twister.image.PictureSize;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.EnumMap;
@@ -32,18 +31,13 @@ public record BenchmarkPlan(
         figures = Collections.unmodifiableMap(new EnumMap<>(figures));
     }
 
-    /** A plan by size, with the same shadows and bounces for all sizes. */
+    /**
+     * A plan by size.
+     *
+     * @param settings of all sizes, with the same shading
+     */
     public static BenchmarkPlan bySize(
-            List<String> engines,
-            List<PictureSize> sizes,
-            int shadowSamples,
-            int bounces,
-            int warmupFrames,
-            int frames,
-            double maxSeconds) {
-        List<Setting> settings = sizes.stream()
-                .map(size -> new Setting(size, shadowSamples, bounces))
-                .toList();
+            List<String> engines, List<Setting> settings, int warmupFrames, int frames, double maxSeconds) {
         return new BenchmarkPlan(engines, Map.of(PaperFigure.SIZES, settings), warmupFrames, frames, maxSeconds);
     }
 

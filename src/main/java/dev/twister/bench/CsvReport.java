@@ -19,9 +19,9 @@ import org.apache.commons.csv.CSVPrinter;
  */
 public final class CsvReport {
     /** All columns of a measurement. */
-    private static final List<String> COLUMNS =
-            List.of(("engine device width height shadowSamples bounces bodies warmupFrames frames fps msMin "
-                            + "msMedian msMean msP95 msKernel msCopyIn msCopyOut msStep msRebuild"
+    private static final List<String> COLUMNS = List.of(
+            ("engine device width height shadowSamples bounces integrator samplesPerPixel bodies warmupFrames frames fps "
+                            + "samplesPerSecond msMin msMedian msMean msP95 msKernel msCopyIn msCopyOut msStep msRebuild"
                             + " speedupOverSequential "
                             + "speedupOverParallel differingPixels allowedDifferingPixels largestDifference"
                             + " samePicture "

@@ -1,8 +1,10 @@
 package dev.twister.bench;
 
 import dev.twister.engine.JvmEngines;
+import dev.twister.scene.Integrator;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /** Fields of a report, with the names that JSON and CSV share. No value is null; unknown fields are absent. */
@@ -32,6 +34,7 @@ final class ReportFields {
         if (plan.hasOneFigure()) {
             fields.put("shadowSamples", plan.settings().getFirst().shadowSamples());
             fields.put("bounces", plan.settings().getFirst().bounces());
+            putPaths(fields, plan.settings().getFirst());
         }
         fields.put("plannedWarmupFrames", plan.warmupFrames());
         fields.put("plannedFrames", plan.frames());
@@ -56,6 +59,7 @@ final class ReportFields {
         fields.put("height", measurement.setting().size().height());
         fields.put("shadowSamples", measurement.setting().shadowSamples());
         fields.put("bounces", measurement.setting().bounces());
+        putPaths(fields, measurement.setting());
         fields.put("bodies", measurement.bodies());
         fields.put("warmupFrames", measurement.warmupFrames());
         putTimes(fields, measurement);
@@ -74,10 +78,21 @@ final class ReportFields {
         fields.put("samePicture", comparison.withinTolerance());
     }
 
+    private static void putPaths(Map<String, Object> fields, Setting setting) {
+        setting.paths().ifPresent(samples -> {
+            fields.put("integrator", Integrator.PATH.name().toLowerCase(Locale.ROOT));
+            fields.put("samplesPerPixel", samples);
+        });
+    }
+
     private static void putTimes(Map<String, Object> fields, Measurement measurement) {
         Statistics times = measurement.times();
         fields.put("frames", times.frames());
         fields.put("fps", ReportNumbers.rounded(times.fps()));
+        measurement
+                .setting()
+                .pathsPerSecond(times.fps())
+                .ifPresent(rate -> fields.put("samplesPerSecond", Math.round(rate)));
         fields.put("msMin", ReportNumbers.rounded(times.min()));
         fields.put("msMedian", ReportNumbers.rounded(times.median()));
         fields.put("msMean", ReportNumbers.rounded(times.mean()));

@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 /** A report for a terminal with 120 columns, or more for several figures. */
 public final class ReportTable {
     private static final int LEFT_ALIGNED = 3;
+    private static final double MILLION = 1e6;
     private static final int MAX_DEVICE_LENGTH = 30;
     private static final List<String> TITLES = List.of(
             "engine",
@@ -25,6 +26,7 @@ public final class ReportTable {
             "p95",
             "x sequential",
             "x parallel");
+    private static final List<String> PATH_TITLES = List.of("M samples/s");
     private static final List<String> MOTION_TITLES = List.of("step ms", "rebuild ms");
 
     private ReportTable() {}
@@ -82,9 +84,14 @@ public final class ReportTable {
         List<List<String>> rows = new ArrayList<>();
         boolean moving = report.measurements().stream()
                 .anyMatch(measurement -> measurement.motionTimes().isPresent());
-        rows.add(moving ? joined(TITLES, MOTION_TITLES) : TITLES);
+        boolean traced = report.measurements().stream()
+                .anyMatch(measurement -> measurement.setting().paths().isPresent());
+        List<String> titles = traced ? joined(TITLES, PATH_TITLES) : TITLES;
+        rows.add(moving ? joined(titles, MOTION_TITLES) : titles);
         for (Measurement measurement : report.measurements()) {
-            List<String> row = row(report, measurement);
+            List<String> row = traced
+                    ? joined(row(report, measurement), List.of(pathRate(measurement)))
+                    : row(report, measurement);
             rows.add(moving ? joined(row, motion(measurement)) : row);
         }
         return aligned(rows);
@@ -103,6 +110,14 @@ public final class ReportTable {
 
     private static List<String> joined(List<String> first, List<String> second) {
         return Stream.concat(first.stream(), second.stream()).toList();
+    }
+
+    private static String pathRate(Measurement measurement) {
+        return measurement
+                .setting()
+                .pathsPerSecond(measurement.times().fps())
+                .map(rate -> ReportNumbers.legible(rate / MILLION, 2))
+                .orElse("-");
     }
 
     private static List<String> motion(Measurement measurement) {

@@ -10,11 +10,14 @@ import dev.twister.bench.MotionPlan;
 import dev.twister.bench.PaperFolder;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.ReportTable;
+import dev.twister.bench.Setting;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.image.PictureSize;
 import dev.twister.physics.Simulation;
 import dev.twister.render.SceneInputs;
+import dev.twister.scene.Integrator;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.World;
@@ -44,6 +47,7 @@ import picocli.CommandLine.Spec;
             "  twister benchmark --quick --json results.json --csv results.csv",
             "  twister benchmark spheres-100 --engine parallel --engine tornado --size 1080p --size 4k",
             "  twister benchmark pour-100000 --physics --start 30 --engine vector --size 720p",
+            "  twister benchmark weekend --integrator path --size 1200x675",
             "  twister benchmark --paper --quick --output my-machine",
             "  twister benchmark --quick --engine vector --engine parallel --jit c2,graal",
             "",
@@ -57,6 +61,9 @@ final class BenchmarkCommand implements Callable<Integer> {
 
     /** What the compiler needs for the fastest engine, whose frames are short. */
     private static final int WARMUP_FRAMES = 100;
+
+    /** Pictures of path tracing differ in noise alone. */
+    private static final int PATHS_PER_PIXEL = 1;
 
     private static final String PAPER_FOLDER = "twister-paper";
     private static final int MAX_FRAMES = 100_000;
@@ -90,6 +97,12 @@ final class BenchmarkCommand implements Callable<Integer> {
 
     @Mixin
     private ShadingOptions shading;
+
+    @Option(
+            names = "--samples",
+            paramLabel = "N",
+            description = "Paths per pixel with --integrator path (default: " + PATHS_PER_PIXEL + ").")
+    private Optional<Integer> samples = Optional.empty();
 
     @Option(
             names = "--classic",
@@ -189,7 +202,13 @@ final class BenchmarkCommand implements Callable<Integer> {
     }
 
     private int evaluate() throws IOException {
-        if (!sizes.isEmpty() || shading.areGiven() || classic || json.isPresent() || csv.isPresent() || motion.isOn()) {
+        if (!sizes.isEmpty()
+                || samples.isPresent()
+                || shading.areGiven()
+                || classic
+                || json.isPresent()
+                || csv.isPresent()
+                || motion.isOn()) {
             throw new BadInputException("--paper has its own sizes, shadow samples, bounces and files: it goes with"
                     + " --engine, --quick, --warmup, --frames, --max-seconds and --output only");
         }
@@ -220,23 +239,41 @@ final class BenchmarkCommand implements Callable<Integer> {
         if (output.isPresent()) {
             throw new BadInputException("--output is the folder of --paper; write a report with --json or --csv");
         }
-        BenchmarkPlan plan = limited(BenchmarkPlan.bySize(
-                engineIds(),
-                plannedSizes(),
-                shading.shadowSamplesOr(classic ? CLASSIC_SHADOW_SAMPLES : SHADOW_SAMPLES),
-                shading.bouncesOr(classic ? CLASSIC_BOUNCES : BOUNCES),
-                WARMUP_FRAMES,
-                quick ? 5 : 10,
-                quick ? 10 : 30));
         ReportFiles files = new ReportFiles(json, csv);
         files.check();
         Path file = SceneFiles.find(sceneName);
         Scene scene = SceneReader.read(file);
+        Rendering settings = shading.over(scene.rendering());
+        BenchmarkPlan plan = limited(BenchmarkPlan.bySize(
+                engineIds(),
+                plannedSizes().stream().map(size -> setting(size, settings)).toList(),
+                WARMUP_FRAMES,
+                quick ? 5 : 10,
+                quick ? 10 : 30));
         files.checkKeeps(SceneInputs.of(file, scene));
         BenchmarkReport report = run(plan, scene, files);
         spec.commandLine().getOut().println(ReportTable.of(report));
         files.write(report);
         return report.passed() ? Main.OK : Main.FAILED;
+    }
+
+    private Setting setting(PictureSize size, Rendering settings) {
+        if (settings.integrator() == Integrator.PATH) {
+            if (classic) {
+                throw new BadInputException("--classic is for the integrator whitted, but the picture has path; use"
+                        + " --bounces and --samples");
+            }
+            int paths = Ranges.check("--samples", samples.orElse(PATHS_PER_PIXEL), 1, Rendering.MAX_SAMPLES_PER_PIXEL);
+            return new Setting(size, settings.shadowSamples(), settings.bounces(), Optional.of(paths));
+        }
+        if (samples.isPresent()) {
+            throw new BadInputException(
+                    "--samples is for the integrator path, but the picture has whitted; add" + " --integrator path");
+        }
+        return new Setting(
+                size,
+                shading.shadowSamplesOr(classic ? CLASSIC_SHADOW_SAMPLES : SHADOW_SAMPLES),
+                shading.bouncesOr(classic ? CLASSIC_BOUNCES : BOUNCES));
     }
 
     private BenchmarkReport run(BenchmarkPlan plan, Scene scene, ReportFiles files) {

@@ -25,8 +25,8 @@ final class PartOptions {
             names = "--sample-range",
             paramLabel = "A-B",
             converter = SamplesConverter.class,
-            description = "Render samples A to B of each pixel's sequence, to an .exr file for 'twister join'."
-                    + " --samples N takes 1-N where N is even, and 0-(N-1) where it is odd.")
+            description = "Render samples A to B of each pixel, counted from 0, to an .exr file for 'twister join'."
+                    + " Ranges from 0 to N-1 joined are --samples N, where N is even.")
     private Optional<Samples> samples = Optional.empty();
 
     /** Reads {@code K/N}. */

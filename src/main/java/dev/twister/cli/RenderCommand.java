@@ -231,17 +231,26 @@ final class RenderCommand implements Callable<Integer> {
                 picture.engine(),
                 picture.device(),
                 millis,
-                samples.isNoiseGiven() ? samplesOf(picture.drawn().getFirst().drawn()) : "");
+                order.sampling()
+                        .noise()
+                        .map(bound -> samplesOf(picture.drawn().getFirst().drawn(), bound))
+                        .orElse(""));
     }
 
     private static String sides(RenderOrder order) {
         return order.size().width() + " x " + order.size().height();
     }
 
-    private static String samplesOf(BandedDrawing.Drawn drawn) {
-        return drawn.fewestSamples() == drawn.mostSamples()
-                ? ", %d samples per pixel".formatted(drawn.mostSamples())
-                : ", %d to %d samples per pixel".formatted(drawn.fewestSamples(), drawn.mostSamples());
+    private static String samplesOf(BandedDrawing.Drawn drawn, double bound) {
+        String samples = drawn.fewestSamples() == drawn.mostSamples()
+                ? Integer.toString(drawn.mostSamples())
+                : drawn.fewestSamples() + " to " + drawn.mostSamples();
+        return String.format(
+                Locale.ROOT,
+                ", %s samples per pixel, noise %.2g%s",
+                samples,
+                drawn.noise(),
+                drawn.noise() > bound ? "; raise --samples to reach " + bound : "");
     }
 
     private Rendering settings(Rendering usual) {

@@ -1,16 +1,20 @@
 package dev.twister.cli;
 
+import dev.twister.engine.ConvergingPicture.Convergence;
 import dev.twister.files.PrintableText;
 import dev.twister.render.FrameRange;
 import dev.twister.render.RenderProgress;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import picocli.CommandLine;
 
 /**
- * Shows the progress of {@code twister render}: the simulation before frame 0, frames, or bands of a single picture.
+ * Shows the progress of {@code twister render}: the simulation before frame 0, frames, or parts of a single picture.
  */
 final class RenderLine implements RenderProgress, AutoCloseable {
+    private static final int PERCENT = 100;
+
     private final CommandLine command;
     private final ProgressOptions options;
     private final Optional<FrameRange> frames;
@@ -39,16 +43,21 @@ final class RenderLine implements RenderProgress, AutoCloseable {
     }
 
     @Override
-    public void bands(String engine, int done, int all) {
+    public void part(String engine, double part, Optional<Convergence> pass) {
         if (frames.isEmpty()) {
-            if (done == 0) {
-                show(ProgressLine.start(command.getErr(), engine, all));
+            if (line.isEmpty()) {
+                show(ProgressLine.start(command.getErr(), engine, PERCENT));
             }
-            line.ifPresent(shown -> shown.stepTo(done));
-            if (done == all) {
+            line.ifPresent(shown -> shown.stepTo((long) (PERCENT * part)));
+            pass.ifPresent(reached -> line.ifPresent(shown -> shown.says(text(reached))));
+            if (part == 1) {
                 close();
             }
         }
+    }
+
+    private static String text(Convergence reached) {
+        return String.format(Locale.ROOT, "%d samples, noise %.2g", reached.samples(), reached.noise());
     }
 
     @Override

@@ -1,7 +1,6 @@
 package dev.twister.cli;
 
 import dev.twister.render.Sampling;
-import dev.twister.scene.Rendering;
 import dev.twister.world.Picture;
 import java.util.List;
 import java.util.Optional;
@@ -15,7 +14,7 @@ final class SampleOptions {
             names = "--samples",
             paramLabel = "N",
             description = "View rays per pixel, 1 to " + Sampling.MOST + "; with --noise, the limit (default: "
-                    + Rendering.MAX_SAMPLES_PER_PIXEL + ").")
+                    + Sampling.USUAL_LIMIT + ").")
     private Optional<Integer> samples = Optional.empty();
 
     @Option(
@@ -51,7 +50,7 @@ final class SampleOptions {
         return new Sampling(
                 Ranges.check(
                         "--samples",
-                        samples.orElse(noise.isPresent() ? Rendering.MAX_SAMPLES_PER_PIXEL : usual),
+                        samples.orElse(noise.isPresent() ? Sampling.USUAL_LIMIT : usual),
                         least,
                         Sampling.MOST),
                 noise.map(bound -> Ranges.check("--noise", bound, LEAST_NOISE, 1)));

@@ -1,26 +1,25 @@
 package dev.twister.engine;
 
+import dev.twister.engine.NoiseEstimate.Half;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.world.FrameInput;
+import java.util.function.Consumer;
 
-/**
- * A picture that accumulates samples until its noise is low. The samples form two independent halves. Half their
- * difference is the standard error of the mean, which is the picture. The noise is measured in display values.
- */
+/** A picture that accumulates samples until its noise is low, see {@link NoiseEstimate}. */
 public final class ConvergingPicture {
     private static final int CHANNELS = 3;
 
     /** Samples per pixel in each half of the first pass. */
     private static final int FIRST_SAMPLES = 4;
 
-    /** Limit of samples per pixel in one call of an engine. */
-    private static final int MOST_AT_ONCE = 1024;
+    /** Limit of samples per pixel in one call of an engine, so that progress is reported. */
+    private static final int MOST_AT_ONCE = 64;
 
-    /** Side of the square blocks, in pixels; the noise of the noisiest block counts. */
-    private static final int BLOCK = 16;
+    /** A pass adds at least this part of the samples so far. */
+    private static final double LEAST_GROWTH = 0.125;
 
     private final FrameInput input;
     private final Frame pass;
@@ -35,24 +34,61 @@ public final class ConvergingPicture {
     }
 
     /**
+     * How far a picture has converged.
+     *
+     * @param samples per pixel so far
+     * @param noise estimated standard error of the noisiest block, relative to white
+     */
+    public record Convergence(int samples, double noise) {
+        /**
+         * The samples per pixel that the picture takes, if noise falls with their square root.
+         *
+         * @param bound the noise to reach; 0 for all samples
+         * @param most limit of samples per pixel
+         */
+        public int expectedSamples(double bound, int most) {
+            return bound > 0 ? (int) Math.clamp(Math.ceil(samples * square(noise / bound)), samples, most) : most;
+        }
+    }
+
+    /**
      * Renders a picture, or a band of rows, with as many samples as necessary.
      *
      * @param frame receives the picture, linear or not, and the total times of all passes
      * @param noise the noise to reach, relative to white; with 0 the picture gets all samples
      * @param mostSamples limit of samples per pixel, at least 8, even if more noise is left
-     * @return the number of samples per pixel
+     * @param watcher called after each pass
      */
-    public static int draw(Engine engine, FrameInput input, Frame frame, double noise, int mostSamples) {
+    public static Convergence draw(
+            Engine engine,
+            FrameInput input,
+            Frame frame,
+            double noise,
+            int mostSamples,
+            Consumer<Convergence> watcher) {
         FrameFit.check(input, frame);
         ConvergingPicture picture = new ConvergingPicture(input);
         int more = FIRST_SAMPLES;
-        do {
+        Convergence reached = new Convergence(0, Double.MAX_VALUE);
+        while (more > 0 && reached.noise() > noise) {
             picture.add(engine, more);
-            int left = mostSamples / 2 - picture.samplesOfHalf;
-            more = Math.min(Math.min(picture.samplesOfHalf, MOST_AT_ONCE), left);
-        } while (more > 0 && picture.noise() > noise);
+            reached = new Convergence(2 * picture.samplesOfHalf, picture.noise());
+            watcher.accept(reached);
+            more = picture.more(reached.expectedSamples(noise, mostSamples) / 2, mostSamples / 2);
+        }
         picture.write(frame);
-        return 2 * picture.samplesOfHalf;
+        return reached;
+    }
+
+    /** Samples per pixel and half of the next pass: at most as many as so far, because the estimate is rough. */
+    private int more(int expected, int most) {
+        int least = (int) Math.ceil(LEAST_GROWTH * samplesOfHalf);
+        int wanted = Math.clamp(expected - samplesOfHalf, least, samplesOfHalf);
+        return Math.min(Math.min(wanted, MOST_AT_ONCE), most - samplesOfHalf);
+    }
+
+    private static double square(double value) {
+        return value * value;
     }
 
     private void add(Engine engine, int samples) {
@@ -68,33 +104,8 @@ public final class ConvergingPicture {
     }
 
     private double noise() {
-        double worst = 0;
-        for (int top = 0; top < pass.height(); top += BLOCK) {
-            for (int left = 0; left < pass.width(); left += BLOCK) {
-                worst = Math.max(worst, meanSquare(left, top));
-            }
-        }
-        return Math.sqrt(worst);
-    }
-
-    private double meanSquare(int left, int top) {
-        int right = Math.min(left + BLOCK, pass.width());
-        int bottom = Math.min(top + BLOCK, pass.height());
-        double sum = 0;
-        for (int row = top; row < bottom; row++) {
-            int end = CHANNELS * (row * pass.width() + right);
-            for (int i = CHANNELS * (row * pass.width() + left); i < end; i++) {
-                double error = (shown(sums[0][i]) - shown(sums[1][i])) / 2;
-                sum += error * error;
-            }
-        }
-        return sum / (CHANNELS * (right - left) * (bottom - top));
-    }
-
-    private float shown(float sum) {
-        float[] values = input.view().frame();
-        return Tone.shown(
-                sum / samplesOfHalf, values[Layout.EXPOSURE_SCALE], (int) values[Layout.TONE_MAP], values[Layout.SRGB]);
+        return new NoiseEstimate(pass.width(), input.view().frame())
+                .of(new Half(sums[0], samplesOfHalf), new Half(sums[1], samplesOfHalf));
     }
 
     private void write(Frame frame) {

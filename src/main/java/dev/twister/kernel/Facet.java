@@ -25,7 +25,7 @@ public final class Facet {
         path[Layout.FACET + 2] = side * path[Layout.NORMAL + 2];
         if (path[Layout.ROUGHNESS] > 0f) {
             int place = Noise.surface((int) path[Layout.BOUNCE]);
-            sample(path, Noise.number(path, place, frame), Noise.number(path, place + 1, frame));
+            sample(path, Noise.fresh(path, place, frame), Noise.fresh(path, place + 1, frame));
         }
     }
 

@@ -54,7 +54,9 @@ public final class KernelMath {
 
     /** {@code 1 / sqrt(squared)}, and 0 for 0, so that normalizing a zero vector leaves it zero. */
     public static float inverseRoot(float squared) {
-        return squared > 0f ? 1f / (float) Math.sqrt(squared) : 0f;
+        // TornadoVM makes the device's rsqrt, which is not rounded as in Java, of 1 divided by a square root alone.
+        float root = squared > 0f ? (float) Math.sqrt(squared) : Float.POSITIVE_INFINITY;
+        return 1f / root;
     }
 
     /**

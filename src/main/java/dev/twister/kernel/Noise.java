@@ -35,10 +35,10 @@ public final class Noise {
     }
 
     /**
-     * One of the numbers of path tracing, of which no two are the same: the first ones are those of {@link #number},
-     * the others are hashed.
+     * One of the numbers of a path's surfaces, of which no two are the same: the first ones are those of
+     * {@link #number}, the others are hashed.
      *
-     * @param place {@link #emitter}, {@link #scatter} or {@link #roulette}, or the next ones
+     * @param place {@link #surface}, {@link #emitter}, {@link #scatter} or {@link #roulette}, or the next ones
      */
     static float fresh(float[] path, int place, float[] frame) {
         float number = 0f;
@@ -74,12 +74,12 @@ public final class Noise {
     }
 
     /**
-     * Place in a sample of the pair of numbers for the surface hit after that many bounces.
+     * Place of the pair of numbers for the surface hit after that many bounces.
      *
      * @param bounce at least 0
      */
     public static int surface(int bounce) {
-        return Layout.SAMPLE_SURFACE + 2 * (bounce - bounce / Layout.SAMPLE_SURFACES * Layout.SAMPLE_SURFACES);
+        return Layout.SAMPLE_SURFACE + 2 * bounce;
     }
 
     /**

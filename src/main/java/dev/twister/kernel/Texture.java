@@ -6,8 +6,8 @@ public final class Texture {
 
     /**
      * Multiplies the albedo at {@link Layout#POINT}. A sphere's texture wraps around it once, so that text is readable
-     * from outside. The plane's texture repeats every meter, with its upper edge away from a camera that looks along z.
-     * A mesh's texture repeats and uses {@link Layout#TEXTURE_PLACE}.
+     * from outside, and its first and last rows end at the poles. The plane's texture repeats every meter, with its
+     * upper edge away from a camera that looks along z. A mesh's texture repeats and uses {@link Layout#TEXTURE_PLACE}.
      *
      * @param path {@link Layout#PATH_LENGTH} floats, with the outward normal
      * @param body any except the light
@@ -32,7 +32,8 @@ public final class Texture {
         }
         int repeats = plane | mesh;
         float column = repeats != 0 ? fraction(u) * width - 0.5f : SkyLookup.column(normalX, -normalZ, 0f, width);
-        float row = repeats != 0 ? fraction(v) * height - 0.5f : SkyLookup.row(normalX, normalY, normalZ, height);
+        float toPole = Math.min(Math.max(SkyLookup.row(normalX, normalY, normalZ, height), 0f), height - 1f);
+        float row = repeats != 0 ? fraction(v) * height - 0.5f : toPole;
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.ALBEDO + channel] =
                     path[Layout.ALBEDO + channel] * color(start, width, height, column, row, channel, images);

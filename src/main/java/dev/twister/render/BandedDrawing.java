@@ -1,9 +1,11 @@
 package dev.twister.render;
 
+import dev.twister.engine.ConvergingPicture.Convergence;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
+import java.util.Optional;
 
 /** Renders a picture in bands of rows, so that progress can be reported. */
 public final class BandedDrawing {
@@ -26,8 +28,9 @@ public final class BandedDrawing {
      * @param frame its times are the sums over all bands
      * @param fewestSamples smallest number of samples per pixel of any band
      * @param mostSamples largest number of samples per pixel of any band
+     * @param noise estimated error of the noisiest part, as a share of white; 0 if it was not estimated
      */
-    public record Drawn(Frame frame, int fewestSamples, int mostSamples) {}
+    public record Drawn(Frame frame, int fewestSamples, int mostSamples, double noise) {}
 
     /** Renders the rows of the input; each has the same bits as in the whole picture. */
     public static Drawn draw(
@@ -39,7 +42,7 @@ public final class BandedDrawing {
         }
         Drawn squares = drawSquares(engine, input.band(first, end - first), sampling, linear, progress);
         Frame rows = squares.frame().rows(input.firstRow() - first, input.rows());
-        return new Drawn(rows, squares.fewestSamples(), squares.mostSamples());
+        return new Drawn(rows, squares.fewestSamples(), squares.mostSamples(), squares.noise());
     }
 
     private static Drawn drawSquares(
@@ -47,31 +50,35 @@ public final class BandedDrawing {
         int height = input.rows();
         Frame whole = linear ? Frame.ofRadiance(input.width(), height) : Frame.ofPixels(input.width(), height);
         int rowsPerBand = rowsPerBand(input, sampling.usual());
-        if (rowsPerBand >= height) {
-            int samples = sampling.draw(engine, input, whole);
-            return new Drawn(whole, samples, samples);
-        }
         int fewest = sampling.samples();
         int most = 0;
+        double noise = 0;
         int bands = Math.ceilDiv(height, rowsPerBand);
         FrameTimes times = FrameTimes.NONE;
-        Frame band = whole.ofRows(rowsPerBand);
+        Frame band = bands == 1 ? whole : whole.ofRows(rowsPerBand);
         for (int drawn = 0; drawn < bands; drawn++) {
-            progress.bands(engine.id(), drawn, bands);
+            int before = drawn;
             int first = drawn * rowsPerBand;
             int rows = Math.min(rowsPerBand, height - first);
             if (rows != band.height()) {
                 band = whole.ofRows(rows);
             }
-            int samples = sampling.draw(engine, input.band(input.firstRow() + first, rows), band);
-            fewest = Math.min(fewest, samples);
-            most = Math.max(most, samples);
-            whole.put(band, first);
+            Convergence reached = sampling.draw(
+                    engine,
+                    input.band(input.firstRow() + first, rows),
+                    band,
+                    pass -> progress.part(engine.id(), (before + sampling.part(pass)) / bands, Optional.of(pass)));
+            fewest = Math.min(fewest, reached.samples());
+            most = Math.max(most, reached.samples());
+            noise = Math.max(noise, reached.noise());
+            if (bands > 1) {
+                whole.put(band, first);
+                progress.part(engine.id(), (drawn + 1.0) / bands, Optional.empty());
+            }
             times = times.plus(band.times());
         }
-        progress.bands(engine.id(), bands, bands);
         whole.setTimes(times);
-        return new Drawn(whole, fewest, most);
+        return new Drawn(whole, fewest, most, noise);
     }
 
     /** Memory for rendering, in bytes per pixel; the bands need less than that again. */

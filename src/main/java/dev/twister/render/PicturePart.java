@@ -31,7 +31,10 @@ public record PicturePart(Optional<Tile> tile, Optional<Samples> samples) {
         }
     }
 
-    /** Samples {@code first} to {@code last} of a pixel's sequence, both included. */
+    /**
+     * Samples {@code first} to {@code last} of a pixel, both included, of a picture of an even number of samples. Those
+     * are the items of the sequence after the pixel's center.
+     */
     public record Samples(int first, int last) {
         public int count() {
             return last - first + 1;
@@ -40,7 +43,7 @@ public record PicturePart(Optional<Tile> tile, Optional<Samples> samples) {
 
     /** The input limited to this part. */
     public FrameInput of(FrameInput input) {
-        FrameInput sampled = samples.map(range -> input.withSamples(range.first(), range.count()))
+        FrameInput sampled = samples.map(range -> input.withSamples(1 + range.first(), range.count()))
                 .orElse(input);
         int height = input.height();
         return tile.map(part -> sampled.band(part.firstRow(height), part.rows(height)))

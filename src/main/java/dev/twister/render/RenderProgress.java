@@ -1,6 +1,8 @@
 package dev.twister.render;
 
+import dev.twister.engine.ConvergingPicture.Convergence;
 import java.nio.file.Path;
+import java.util.Optional;
 
 /** Follows a rendering, on its thread. An exception of any method ends the rendering. */
 public interface RenderProgress {
@@ -22,13 +24,13 @@ public interface RenderProgress {
     default void moved() {}
 
     /**
-     * Bands of rows of a picture are done. Not called for pictures of a single band.
+     * A part of a picture is done. Not called for pictures that are drawn in one go.
      *
      * @param engine its id
-     * @param done number of bands; 0 at first
-     * @param all number of bands of the picture
+     * @param part of the whole picture, in (0, 1]
+     * @param pass the samples so far of the rows being drawn, and their noise; empty if whole rows are finished
      */
-    default void bands(String engine, int done, int all) {}
+    default void part(String engine, double part, Optional<Convergence> pass) {}
 
     /**
      * A frame of an earlier run is not kept; it is rendered again.

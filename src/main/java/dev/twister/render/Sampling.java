@@ -1,11 +1,13 @@
 package dev.twister.render;
 
 import dev.twister.engine.ConvergingPicture;
+import dev.twister.engine.ConvergingPicture.Convergence;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.util.Optional;
+import java.util.function.Consumer;
 
 /**
  * How many samples each pixel gets.
@@ -16,6 +18,9 @@ import java.util.Optional;
 public record Sampling(int samples, Optional<Double> noise) {
     /** Smallest limit with a noise bound; fewer samples give no estimate of the noise. */
     public static final int LEAST_CONVERGING = 8;
+
+    /** Limit with a noise bound if no other is given. */
+    public static final int USUAL_LIMIT = 4096;
 
     /** The largest number of samples per pixel. */
     public static final int MOST = 65536;
@@ -29,14 +34,20 @@ public record Sampling(int samples, Optional<Double> noise) {
      * Renders a band.
      *
      * @param input with {@link #atOnce} samples per pixel, unless there is a noise bound
-     * @return the number of samples of each pixel
+     * @param watcher called after each pass of samples
+     * @return the number of samples of each pixel and their noise, which is 0 if it was not estimated
      */
-    int draw(Engine engine, FrameInput input, Frame frame) {
+    Convergence draw(Engine engine, FrameInput input, Frame frame, Consumer<Convergence> watcher) {
         if (noise.isPresent() || samples > atOnce()) {
-            return ConvergingPicture.draw(engine, input, frame, noise.orElse(0.0), samples);
+            return ConvergingPicture.draw(engine, input, frame, noise.orElse(0.0), samples, watcher);
         }
         engine.render(input, frame);
-        return samples;
+        return new Convergence(samples, 0);
+    }
+
+    /** The finished part of a band, in [0, 1]. */
+    double part(Convergence reached) {
+        return (double) reached.samples() / reached.expectedSamples(noise.orElse(0.0), samples);
     }
 
     /** Expected number of samples, for choosing the size of bands. */

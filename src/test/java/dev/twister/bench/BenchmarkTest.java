@@ -192,7 +192,8 @@ class BenchmarkTest {
     }
 
     static BenchmarkPlan plan(List<String> engines, int warmup, int frames, double seconds) {
-        return BenchmarkPlan.bySize(engines, List.of(SMALL, LARGE), 7, 2, warmup, frames, seconds);
+        return BenchmarkPlan.bySize(
+                engines, List.of(new Setting(SMALL, 7, 2), new Setting(LARGE, 7, 2)), warmup, frames, seconds);
     }
 
     @Test

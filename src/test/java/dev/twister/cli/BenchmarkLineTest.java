@@ -7,6 +7,7 @@ import dev.twister.bench.Benchmark;
 import dev.twister.bench.BenchmarkPlan;
 import dev.twister.bench.BenchmarkReport;
 import dev.twister.bench.MachineInfo;
+import dev.twister.bench.Setting;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.Engines;
@@ -35,7 +36,7 @@ class BenchmarkLineTest {
     private final StringWriter out = new StringWriter();
     private final StringWriter err = new StringWriter();
     private final BenchmarkPlan plan =
-            BenchmarkPlan.bySize(List.of("sequential", "parallel"), List.of(SIZE), 1, 0, 0, 1, 10);
+            BenchmarkPlan.bySize(List.of("sequential", "parallel"), List.of(new Setting(SIZE, 1, 0)), 0, 1, 10);
 
     @Test
     void anEndBeforeAnythingIsMeasuredSaysWhere() {

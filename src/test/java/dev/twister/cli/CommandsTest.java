@@ -1,6 +1,7 @@
 package dev.twister.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.image.PngWriter;
 import dev.twister.scene.Scene;
@@ -14,6 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 class CommandsTest {
     private static final Path DAY = Path.of("skyboxes", "day.hdr");
@@ -187,6 +190,42 @@ class CommandsTest {
                 .contains("scene teaching, 1 shadow sample, 1 bounce;", "sequential", "parallel", "24x16", "1+2");
         assertThat(json).isNotEmptyFile();
         assertThat(csv).isNotEmptyFile();
+    }
+
+    @Test
+    void measuresPathsPerSecond() throws IOException {
+        Path json = folder.resolve("report.json");
+        Path csv = folder.resolve("report.csv");
+
+        Outcome outcome = Outcome.of(
+                "benchmark",
+                "weekend",
+                "--engine",
+                "parallel",
+                "--size",
+                "24x16",
+                "--samples",
+                "3",
+                "--bounces",
+                "5",
+                "--warmup",
+                "0",
+                "--frames",
+                "2",
+                "--json",
+                json.toString(),
+                "--csv",
+                csv.toString());
+
+        assertThat(outcome.err()).isEmpty();
+        assertThat(outcome.out())
+                .contains("scene weekend, path tracing, 3 samples per pixel, 5 bounces;", "M samples/s");
+        JsonNode row = JsonMapper.shared().readTree(json).get("results").get(0);
+        assertThat(row.get("integrator").asString()).isEqualTo("path");
+        assertThat(row.get("samplesPerPixel").asInt()).isEqualTo(3);
+        assertThat(row.get("samplesPerSecond").asDouble())
+                .isCloseTo(3 * 24 * 16 * row.get("fps").asDouble(), within(1.0));
+        assertThat(csv).content().contains(",integrator,samplesPerPixel,").contains(",path,3,");
     }
 
     @Test

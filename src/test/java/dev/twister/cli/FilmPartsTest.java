@@ -103,6 +103,28 @@ class FilmPartsTest {
     }
 
     @Test
+    void joinedRangesAreThePictureOfAllTheirSamples() throws IOException {
+        Path all = render("eight.exr", "--samples", "8");
+        Path first = render("four.exr", "--sample-range", "0-3");
+        Path rest = render("others.exr", "--sample-range", "4-7");
+        Path joined = folder.resolve("both.exr");
+
+        assertThat(Outcome.of("join", first.toString(), rest.toString(), "-o", joined.toString())
+                        .err())
+                .isEmpty();
+
+        ExrPicture expected = ExrReader.read(all);
+        ExrPicture mean = ExrReader.read(joined);
+        for (int channel = 0; channel < 3; channel++) {
+            float[] values = expected.channels().get(channel).values();
+            for (int i = 0; i < values.length; i++) {
+                assertThat(mean.channels().get(channel).values()[i])
+                        .isCloseTo(values[i], within(8 * Math.ulp(values[i])));
+            }
+        }
+    }
+
+    @Test
     void joinedRangesOfSamplesAreTheWholeRange() throws IOException {
         Path all = render("all.exr", "--sample-range", "0-7");
         Path first = render("first.exr", "--sample-range", "0-2");

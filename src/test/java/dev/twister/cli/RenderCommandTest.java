@@ -280,6 +280,16 @@ class RenderCommandTest {
         assertThat(picture.getRGB(150, 199)).isNotEqualTo(0xff000000);
     }
 
+    @Test
+    void tellsTheNoiseThatIsLeft() {
+        Path file = folder.resolve("noise.png");
+        assertThat(render("weekend", file, "--size", "32x18", "--noise", "0.1").out())
+                .containsPattern("(8|[1-9][0-9]+) samples per pixel, noise 0\\.0[0-9]+\\R$");
+        assertThat(render("weekend", file, "--size", "32x18", "--noise", "0.001", "--samples", "16")
+                        .out())
+                .containsPattern("16 samples per pixel, noise 0\\.[0-9]+; raise --samples to reach 0\\.001\\R$");
+    }
+
     private byte[] bytes(String name, String... options) throws IOException {
         Path file = folder.resolve(name);
         String[] sized = new String[options.length + 2];

@@ -2,6 +2,7 @@ package dev.twister.kernel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -93,6 +94,46 @@ class NoiseTest {
     @CsvSource({"0, 0, 2", "16383, 16383, 15", "65535, 65535, 15", "65535, 0, 2", "42195, 1, 2"})
     void staysInItsRange(int column, int row, int place) {
         assertThat(Noise.hash(column, row, place)).isBetween(0, 65535);
+    }
+
+    /** Every pair of bounces of a path, over the samples of one pixel. */
+    @Test
+    void bouncesOfAPathDoNotCorrelate() {
+        int samples = 4096;
+        float[] frame = frame(samples);
+        for (int bounce = 0; bounce < 20; bounce++) {
+            for (int later = bounce + 1; later < 20; later++) {
+                double sum = 0;
+                for (int sample = 0; sample < samples; sample++) {
+                    sum += (surface(frame, sample, bounce) - 0.5) * (surface(frame, sample, later) - 0.5);
+                }
+                assertThat(Math.abs(12 * sum / samples))
+                        .as("bounces %d and %d", bounce, later)
+                        .isLessThan(5 / Math.sqrt(samples));
+            }
+        }
+    }
+
+    private static double surface(float[] frame, int sample, int bounce) {
+        float[] path = new float[Layout.PATH_LENGTH];
+        path[Layout.PIXEL_COLUMN] = 123;
+        path[Layout.PIXEL_ROW] = 45;
+        path[Layout.PIXEL_SAMPLE] = Layout.DISC + Layout.SAMPLE_STRIDE * sample;
+        return Noise.fresh(path, Noise.surface(bounce), frame);
+    }
+
+    /** With the numbers of {@code world.PixelSamples}. */
+    private static float[] frame(int samples) {
+        int[] primes = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43};
+        float[] frame = new float[Layout.DISC + Layout.SAMPLE_STRIDE * samples];
+        frame[Layout.SAMPLES] = Layout.DISC;
+        for (int sample = 0; sample < samples; sample++) {
+            for (int number = 0; number < primes.length; number++) {
+                frame[Layout.DISC + Layout.SAMPLE_STRIDE * sample + Layout.SAMPLE_LENS + number] =
+                        (float) ((0.5 + sample * Math.sqrt(primes[number])) % 1);
+            }
+        }
+        return frame;
     }
 
     private static double number(int column, int row, int place) {

@@ -66,6 +66,12 @@ record OracleMaterial(
         return transmission > 0;
     }
 
+    /** As {@link #textured}, where the texture ends at v = 0 and v = 1. */
+    Color texturedToPoles(Color base, double u, double v) {
+        return texture.map(picture -> base.times(picture.color(u, picture.between(v))))
+                .orElse(base);
+    }
+
     /** Modulates a color by the texture at (u, v), if there is one. */
     Color textured(Color base, double u, double v) {
         return texture.map(picture -> base.times(picture.color(u, v))).orElse(base);

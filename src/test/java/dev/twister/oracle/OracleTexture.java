@@ -19,6 +19,12 @@ record OracleTexture(Skybox picture) {
                 .plus(texel(left + 1, top + 1).times(toRight * toBottom));
     }
 
+    /** The nearest v at which only rows of the picture itself count. */
+    double between(double v) {
+        double half = 0.5 / picture.height();
+        return Math.clamp(v, half, 1 - half);
+    }
+
     private Color texel(double column, double row) {
         int at = 3
                 * (Math.floorMod((long) row, picture.height()) * picture.width()

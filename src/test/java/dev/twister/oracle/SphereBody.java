@@ -44,6 +44,6 @@ record SphereBody(Vector center, double radius, OracleMaterial material) impleme
         Vector normal = normal(point);
         double u = 0.5 + Math.atan2(normal.x(), -normal.z()) / (2 * Math.PI);
         double v = 0.5 - Math.asin(Math.clamp(normal.y(), -1, 1)) / Math.PI;
-        return material.textured(material.color(), u, v);
+        return material.texturedToPoles(material.color(), u, v);
     }
 }

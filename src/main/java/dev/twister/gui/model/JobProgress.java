@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.engine.ConvergingPicture.Convergence;
 import dev.twister.render.RenderProgress;
 import dev.twister.render.TimeLeft;
 import java.time.Duration;
@@ -53,9 +54,9 @@ public final class JobProgress implements RenderProgress {
     }
 
     @Override
-    public void bands(String engine, int done, int all) {
+    public void part(String engine, double part, Optional<Convergence> pass) {
         State now = state;
-        state = new State(true, now.frame(), (double) done / all, now.startNanos(), clock.getAsLong());
+        state = new State(true, now.frame(), part, now.startNanos(), clock.getAsLong());
         check.run();
     }
 

@@ -103,8 +103,11 @@ final class Values {
 
     // One chain of fields: a choice between records with and without each would double the work with each field.
     private static <R, T> Arbitrary<R> withAny(Arbitrary<R> records, Field<R, T> field) {
-        boolean sparse = field.presence() == Field.Presence.SPARSE;
-        return Combinators.combine(records, of(field.type()), sparse ? FLAGS : Arbitraries.just(true))
+        boolean always = switch (field.presence()) {
+            case SPARSE, EITHER -> false;
+            case REQUIRED, WRITTEN -> true;
+        };
+        return Combinators.combine(records, of(field.type()), always ? Arbitraries.just(true) : FLAGS)
                 .as((record, value, given) -> given ? field.with().apply(record, value) : record);
     }
 }

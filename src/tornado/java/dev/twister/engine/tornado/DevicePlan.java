@@ -18,6 +18,7 @@ import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.enums.DataTransferMode;
 import uk.ac.manchester.tornado.api.enums.ProfilerMode;
 import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
+import uk.ac.manchester.tornado.api.enums.TornadoVMBackendType;
 
 /**
  * The kernel compiled for one device and one picture size, with its device buffers. The images and the meshes are
@@ -89,7 +90,9 @@ final class DevicePlan implements AutoCloseable {
                         input.variant(linear))
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
-        plan.withDevice(device).withProfiler(ProfilerMode.SILENT);
+        plan.withDevice(device)
+                .withProfiler(ProfilerMode.SILENT)
+                .withCompilerFlags(TornadoVMBackendType.OPENCL, OpenClFlags.forPlatform(device.getPlatformName()));
         if (device.getDeviceType() != TornadoDeviceType.CPU) {
             // TornadoVM's default work-group may exceed a GPU's registers; the driver's default fits.
             WorkerGrid grid = new WorkerGrid2D(input.width(), input.rows());

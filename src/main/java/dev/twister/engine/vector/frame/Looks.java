@@ -6,10 +6,10 @@ import dev.twister.world.FrameInput;
 
 /** The bodies' material properties beyond color and reflectivity. Reused while the input's array is the same. */
 public final class Looks {
-    /** First and number of the properties held here. */
+    /** First and number of the properties that lanes read: from the roughness to the texture. */
     public static final int FIRST = Layout.LOOK_ROUGHNESS;
 
-    public static final int COUNT = Layout.LOOK_STRIDE - FIRST;
+    public static final int COUNT = Layout.LOOK_TEXTURE + 1 - FIRST;
 
     /** {@link Layout#LOOK_STRIDE} floats per body. */
     public float[] values = {};

@@ -7,6 +7,7 @@ import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.PacketList;
 import dev.twister.engine.vector.lanes.Sine;
 import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Layout;
 import dev.twister.kernel.Noise;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
@@ -55,22 +56,50 @@ public final class FacetLanes {
         }
     }
 
-    /** Writes one of the sample's random numbers, shifted by a hash of each pixel. */
-    static void findNumbers(Tile tile, Drawing drawing, int place, int column) {
+    /** Writes one of the sample's random numbers. */
+    private static void findNumbers(Tile tile, Drawing drawing, int place, int column) {
+        if (place < Layout.SAMPLE_STRIDE) {
+            findShifted(tile, drawing, place, column);
+        } else {
+            findHashed(tile, drawing, place, column);
+        }
+    }
+
+    /** Numbers of the frame, shifted by a hash of each pixel. */
+    static void findShifted(Tile tile, Drawing drawing, int place, int column) {
         float[] t = tile.values;
         float shared = drawing.input.view().sample(tile.sample, place);
-        int columns = Noise.mixed(2 * place);
-        int rows = Noise.mixed(2 * place + 1);
         int left = tile.left;
         int top = drawing.input.firstRow() + tile.top;
         for (int k = 0; k < tile.rough.count; k++) {
             int at = tile.rough.places[k];
             IntVector x = Lanes.truncated(Lanes.load(t, at + Tile.PLACE_X)).add(left);
             IntVector y = Lanes.truncated(Lanes.load(t, at + Tile.PLACE_Y)).add(top);
-            IntVector hash = Hash.mixed(Hash.mixed(x.lanewise(VectorOperators.XOR, columns))
-                    .lanewise(VectorOperators.XOR, Hash.mixed(y.lanewise(VectorOperators.XOR, rows))));
-            FloatVector number = Lanes.toFloats(hash).mul(Noise.STEP).add(shared);
+            FloatVector number =
+                    Lanes.toFloats(Hash.of(x, y, place)).mul(Noise.STEP).add(shared);
             number.blend(number.sub(1f), number.compare(VectorOperators.GE, 1f)).intoArray(t, at + column);
+        }
+    }
+
+    /** Numbers beyond those of the frame: a hash of pixel, place and sample. */
+    static void findHashed(Tile tile, Drawing drawing, int place, int column) {
+        float[] t = tile.values;
+        int sample = (int) drawing.input.view().frame()[Layout.FIRST_SAMPLE] + tile.sample;
+        int upper = Noise.mixed((sample >> 16) ^ Noise.mixed(place));
+        int left = tile.left;
+        int top = drawing.input.firstRow() + tile.top;
+        for (int k = 0; k < tile.rough.count; k++) {
+            int at = tile.rough.places[k];
+            IntVector x = Lanes.truncated(Lanes.load(t, at + Tile.PLACE_X)).add(left);
+            IntVector y = Lanes.truncated(Lanes.load(t, at + Tile.PLACE_Y)).add(top);
+            IntVector pixel = Hash.of(x, y, place).lanewise(VectorOperators.XOR, sample & Noise.BITS);
+            IntVector high = Hash.mixed(Hash.mixed(pixel).lanewise(VectorOperators.XOR, upper));
+            IntVector low = Hash.mixed(high.lanewise(VectorOperators.XOR, Hash.of(y, x, place + 1)))
+                    .and(255);
+            Lanes.toFloats(high)
+                    .mul(Noise.STEP)
+                    .add(Lanes.toFloats(low).mul(Noise.STEP * Noise.STEP * 256f))
+                    .intoArray(t, at + column);
         }
     }
 

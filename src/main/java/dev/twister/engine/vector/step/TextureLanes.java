@@ -129,6 +129,8 @@ public final class TextureLanes {
             FloatVector column =
                     Lanes.load(t, at + Tile.SKY_TO_RIGHT).mul(columns).sub(0.5f);
             FloatVector row = Lanes.load(t, at + Tile.SKY_TO_BOTTOM).mul(rows).sub(0.5f);
+            FloatVector toPole = Lanes.smaller(Lanes.larger(row, Lanes.all(0f)), rows.sub(1f));
+            row = toPole.blend(row, Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE));
             FloatVector left = Lanes.floor(column);
             FloatVector top = Lanes.floor(row);
             column.sub(left).intoArray(t, at + Tile.SKY_TO_RIGHT);
