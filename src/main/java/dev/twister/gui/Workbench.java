@@ -275,6 +275,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.REDO_ALSO, studio::redo)
                 .on(Command.INSERT, bodies::insert)
                 .on(Command.INSERT_MESH, assets::insertMesh)
+                .on(Command.INSERT_LIGHT, bodies::insertLight)
                 .on(Command.DUPLICATE, bodies::duplicate)
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)
