@@ -36,7 +36,7 @@ public final class RefinedPicture {
         sums = new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))];
     }
 
-    /** Starts anew: the scene, the camera or a setting that changes radiance has changed. */
+    /** Restarts: the scene, the camera or a setting that changes radiance has changed. */
     public void reset() {
         Arrays.fill(sums, 0);
         samples = 0;
@@ -73,7 +73,7 @@ public final class RefinedPicture {
      * Adds a pass.
      *
      * @param pass linear, drawn from {@link #next} of as many samples
-     * @throws IllegalArgumentException where the frame is not linear or of another size
+     * @throws IllegalArgumentException if the frame is not linear or has another size
      */
     public void add(Frame pass, int passSamples) {
         if (!pass.isLinear() || !fits(pass.width(), pass.height())) {
@@ -95,7 +95,7 @@ public final class RefinedPicture {
      *
      * @param input whose exposure, tone map and sRGB curve count, and nothing else
      * @param argb receives 0xAARRGGBB, row by row from the top, from index 0 on
-     * @throws IllegalStateException where no pass was added yet
+     * @throws IllegalStateException if no pass was added yet
      */
     public void show(FrameInput input, IntBuffer argb) {
         if (samples == 0) {
