@@ -5,9 +5,9 @@ final class MeshHit {
     private MeshHit() {}
 
     /**
-     * The closest body: the closest one so far, at {@link Layout#DISTANCE}, or a closer mesh; on a tie the lower body
-     * and the lower triangle. The triangle that the ray leaves is ignored. Writes distance in meters, instance and
-     * triangle.
+     * The closest body: the closest one so far, at {@link Layout#DISTANCE}, or a closer mesh; of surfaces in one place
+     * the one that {@link Coincidence} prefers. The triangle that the ray leaves is ignored. Writes distance in meters,
+     * instance and triangle.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param closest the closest body so far
@@ -120,10 +120,9 @@ final class MeshHit {
             for (int i = 0; i < count; i++) {
                 int triangle = link + i;
                 float met = Triangle.distance(path, triangles + Layout.TRIANGLE_STRIDE * triangle, meshes);
-                if (met <= distance) {
-                    int lower = (body < hit ? 1 : 0)
-                            | ((body == hit ? 1 : 0) & (triangle < (int) path[Layout.TRIANGLE] ? 1 : 0));
-                    int taken = (triangle != ignored ? 1 : 0) & ((met < distance ? 1 : 0) | lower);
+                int near = (met <= distance * (1f + Coincidence.TOLERANCE) ? 1 : 0) & (met < Intersection.MISS ? 1 : 0);
+                if ((near & (triangle != ignored ? 1 : 0)) != 0) {
+                    int taken = Coincidence.replaces(path, hit, distance, met, number, triangle, frame, bodies, meshes);
                     if (taken != 0) {
                         hit = body;
                         distance = met;

@@ -40,6 +40,39 @@ class ExplainCommandTest {
     }
 
     @Test
+    void aTracedPathHasItsProbabilities() {
+        Outcome outcome = Outcome.of(
+                "explain", "weekend", "--size", "160x90", "--pixel", "80,52", "--samples", "4", "--sample", "3");
+
+        assertThat(outcome.exitCode()).isEqualTo(Main.OK);
+        assertThat(outcome.err()).isEmpty();
+        assertThat(outcome.out())
+                .startsWith("Pixel 80,52, sample 3 of 4, path tracing\n")
+                .contains("p surface", "p light", "lobes: mirror", "chose emitter sky with probability 1.0000")
+                .contains("Sum of the steps: ");
+    }
+
+    @Test
+    void jsonOfATracedPathAddsUp() {
+        JsonNode tree = JsonMapper.shared()
+                .readTree(explain("--integrator", "path", "--pixel", "108,52", "--json")
+                        .out());
+
+        float sum = 0;
+        for (JsonNode step : tree.get("steps")) {
+            sum += step.get("adds").get(0).floatValue();
+        }
+        assertThat(tree.get("pixelRadiance").get(0).floatValue()).isEqualTo(sum);
+        assertThat(tree.get("steps")
+                        .get(0)
+                        .get("scattering")
+                        .get("next")
+                        .get("probability")
+                        .asDouble())
+                .isPositive();
+    }
+
+    @Test
     void theExampleWithASampleWorks() {
         Outcome outcome =
                 Outcome.of("explain", "glass", "--pixel", "640,400", "--samples", "8", "--sample", "3", "--json");

@@ -5,6 +5,7 @@ import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneMeshes;
+import java.util.OptionalDouble;
 
 /**
  * A finished picture.
@@ -18,6 +19,7 @@ import dev.twister.world.SceneMeshes;
  * @param device name of the device
  * @param times of the steps
  * @param samples per pixel, including those of earlier pictures that it refines
+ * @param noise estimated standard error, relative to white; empty if it is unknown
  * @param number counts the pictures that the engine drew, shown or not
  * @param original number of the picture that this one repeats pixel by pixel; its own if it repeats none
  * @param finishedNanos by {@link System#nanoTime}
@@ -31,13 +33,14 @@ public record DrawnPicture(
         String device,
         FrameTimes times,
         int samples,
+        OptionalDouble noise,
         long number,
         long original,
         long finishedNanos) {
     /** A copy with another frame that has the same pixels. */
     DrawnPicture in(Frame other) {
         return new DrawnPicture(
-                other, request, input, meshes, engine, device, times, samples, number, original, finishedNanos);
+                other, request, input, meshes, engine, device, times, samples, noise, number, original, finishedNanos);
     }
 
     /** Maps a body's number in the input to its number in the scene, see {@link BodyNumber}. */

@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -10,7 +11,7 @@ public final class RefinementGoal {
     /** Smooths edges. */
     public static final int SHARP = 64;
 
-    /** Of a scene with a lens or rough surfaces: its noise is a 32nd of one sample's. */
+    /** Of a scene with a lens, rough surfaces or path tracing: its noise is a 32nd of one sample's. */
     public static final int NOISY = 1024;
 
     private RefinementGoal() {}
@@ -25,7 +26,8 @@ public final class RefinementGoal {
     }
 
     private static boolean isNoisy(Scene scene) {
-        return scene.camera().aperture() > 0
+        return scene.rendering().integrator() == Integrator.PATH
+                || scene.camera().aperture() > 0
                 || isRough(scene.ground().material())
                 || scene.pour().filter(pour -> isRough(pour.material())).isPresent()
                 || hasRoughSphere(scene)

@@ -6,6 +6,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.JvmEngines;
 import dev.twister.image.Frame;
 import dev.twister.mesh.MeshFile;
+import dev.twister.mesh.TriangleMesh;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.MeshShapes;
 import dev.twister.oracle.PictureDifference;
@@ -41,6 +42,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 class MeshesInLanesTest {
     private static final int SCENES = 40;
     private static final Rgb WHITE = new Rgb(1, 1, 1);
+    private static final Skybox SKY =
+            new Skybox(2, 2, new float[] {0.2f, 0.4f, 0.9f, 0.9f, 0.5f, 0.2f, 0.3f, 0.3f, 0.3f, 0.1f, 0.2f, 0.1f});
     private static final int ALWAYS_WALK = 0;
     private static final int NEVER_WALK = Integer.MAX_VALUE;
 
@@ -111,6 +114,34 @@ class MeshesInLanesTest {
         assertThat(differing).isLessThanOrEqualTo(pixels / PictureDifference.PIXELS_AN_ODD_ONE);
     }
 
+    /** Two faces in one plane, cut into triangles along different diagonals, above a plane that mirrors them. */
+    @ParameterizedTest(name = "{0} bits, crowds from {1} on")
+    @MethodSource("widthsAndWays")
+    void facesInOnePlaneAreTheKernels(int bits, int crowd) {
+        Mesh face = Mesh.of(Path.of("face"))
+                .withPosition(new Vector3(0, 1.5, 0))
+                .withRotation(new Vector3(35, 20, 10))
+                .withMaterial(Optional.of(Material.DEFAULT.withColor(new Rgb(1, 0, 0))));
+        Mesh same =
+                face.withFile(Path.of("same")).withMaterial(Optional.of(Material.DEFAULT.withColor(new Rgb(0, 0, 1))));
+        Scene scene = opaque(new Random(1))
+                .scene()
+                .withGround(Ground.of(30, 0, WHITE, WHITE, 40))
+                .withMeshes(List.of(face, same))
+                .withRendering(
+                        Rendering.DEFAULT.withSize(151, 87).withShadows(1).withBounces(2));
+        TriangleMesh square = MeshShapes.square();
+        TriangleMesh other =
+                new TriangleMesh(square.positions(), new float[0], new float[0], new int[] {0, 2, 3, 0, 3, 1});
+        SceneMeshes meshes =
+                SceneMeshes.of(scene, source -> MeshShapes.file(source.file().equals(face.file()) ? square : other));
+        FrameInput input =
+                new LitScene(scene, SceneImages.of(SKY), meshes).world().snapshot();
+        try (Engine engine = WidthLoader.openForCrowds(bits, 2, crowd)) {
+            assertThat(difference(engine, input)).matches(PictureDifference::isWithinBound);
+        }
+    }
+
     private static LitScene opaque(Random random) {
         List<Mesh> placed = new ArrayList<>();
         for (int i = 0; i <= random.nextInt(4); i++) {
@@ -133,9 +164,7 @@ class MeshesInLanesTest {
                         .withShadows(1 + 8 * random.nextInt(3))
                         .withBounces(random.nextInt(4)));
         MeshFile file = MeshShapes.file(MeshShapes.blob(random, 1 + random.nextInt(3)));
-        Skybox sky =
-                new Skybox(2, 2, new float[] {0.2f, 0.4f, 0.9f, 0.9f, 0.5f, 0.2f, 0.3f, 0.3f, 0.3f, 0.1f, 0.2f, 0.1f});
-        return new LitScene(scene, SceneImages.of(sky), SceneMeshes.of(scene, _ -> file));
+        return new LitScene(scene, SceneImages.of(SKY), SceneMeshes.of(scene, _ -> file));
     }
 
     private static PictureDifference difference(Engine engine, FrameInput input) {

@@ -2,6 +2,7 @@ package dev.twister.engine.vector.mesh;
 
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.shadow.ShadowBench;
+import dev.twister.kernel.Layout;
 
 /** One thread's working memory for meshes. */
 public final class MeshBench {
@@ -15,6 +16,9 @@ public final class MeshBench {
 
     /** 1 in the lanes with a line to the current sample. */
     final float[] aimed = new float[Lanes.BORDER + Lanes.COUNT];
+
+    /** The path of one ray, for the kernel. */
+    final float[] path = new float[Layout.PATH_LENGTH];
 
     /** Columns of {@link CornerLanes}. */
     final float[] corners = new float[CornerLanes.LENGTH];

@@ -31,7 +31,7 @@ public final class MeshHits {
             BoxLanes.aim(tile, world);
             int leaf = BoxLanes.nextLeaf(tile, world);
             while (leaf != Layout.NO_NODE) {
-                meet(bodies, tile, bench, at, (int) hierarchy[leaf + Layout.NODE_LINK]);
+                meet(drawing, tile, bench, at, (int) hierarchy[leaf + Layout.NODE_LINK]);
                 leaf = BoxLanes.nextLeaf(tile, world);
             }
         }
@@ -56,7 +56,8 @@ public final class MeshHits {
         return lanes == 0L ? -1 : Long.numberOfTrailingZeros(lanes);
     }
 
-    private static void meet(Bodies bodies, Tile tile, MeshBench bench, int at, int number) {
+    private static void meet(Drawing drawing, Tile tile, MeshBench bench, int at, int number) {
+        Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.floats();
         PacketWalk mesh = bench.mesh;
         int instance = Instance.at(number, bodies.instances(), hierarchy);
@@ -72,7 +73,10 @@ public final class MeshHits {
                 int axis = Integer.numberOfTrailingZeros(rest);
                 int triangle = TriangleLanes.next(tile, mesh, triangles, from, end, axis);
                 while (triangle < end) {
-                    TriangleLanes.keepNearest(tile, mesh, at, axis, triangle, number, body);
+                    long close = TriangleLanes.keepNearest(tile, mesh, at, axis, triangle, number, body);
+                    if (close != 0L) {
+                        CoincidentHits.decide(drawing, tile, bench, at, close, triangle, number);
+                    }
                     triangle = TriangleLanes.next(tile, mesh, triangles, triangle + 1, end, axis);
                 }
             }

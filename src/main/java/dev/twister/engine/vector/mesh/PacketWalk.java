@@ -42,7 +42,10 @@ final class PacketWalk {
     /** Minus the origin times the inverse direction: the addition in the slab test. */
     static final int BEHIND = ORIGIN + 24 * Lanes.COUNT;
 
-    private static final int LENGTH = ORIGIN + 27 * Lanes.COUNT;
+    /** Distance of the current triangle, in lanes that meet it at the ray's end. */
+    static final int MET = ORIGIN + 27 * Lanes.COUNT;
+
+    private static final int LENGTH = ORIGIN + 28 * Lanes.COUNT;
 
     final float[] rays = new float[LENGTH];
 

@@ -2,6 +2,7 @@ package dev.twister.engine.vector.mesh;
 
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Coincidence;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Triangle;
 import jdk.incubator.vector.FloatVector;
@@ -89,10 +90,12 @@ final class TriangleLanes {
     }
 
     /**
-     * Shortens the rays of the given axis that hit the current triangle, and writes it as their hit. On a tie the lower
-     * body wins, and within a body the lower triangle.
+     * Shortens the rays of the given axis that hit the current triangle before their ends, and writes it as their hit.
+     *
+     * @return one bit per ray that the triangle meets at its end, as closely as {@link Coincidence#TOLERANCE}; those
+     *     are unchanged, with the distance in {@link PacketWalk#MET}
      */
-    static void keepNearest(Tile tile, PacketWalk walk, int at, int axis, int triangle, int instance, int body) {
+    static long keepNearest(Tile tile, PacketWalk walk, int at, int axis, int triangle, int instance, int body) {
         float[] t = tile.values;
         float[] r = walk.rays;
         FloatVector a = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AREA_A);
@@ -111,18 +114,18 @@ final class TriangleLanes {
                 .div(sum)
                 .mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.LONGEST_INVERSE));
         FloatVector end = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.END);
-        FloatVector hit = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT);
-        VectorMask<Float> lower = hit.compare(VectorOperators.EQ, body)
-                .and(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.TRIANGLE).compare(VectorOperators.GT, triangle))
-                .or(hit.compare(VectorOperators.GT, body))
-                .and(distance.compare(VectorOperators.EQ, end));
-        VectorMask<Float> taken = distance.compare(VectorOperators.LT, end)
-                .or(lower)
+        VectorMask<Float> met = distance.compare(VectorOperators.LE, end.mul(1f + Coincidence.TOLERANCE))
                 .and(distance.compare(VectorOperators.GT, 0f))
                 .and(sum.compare(VectorOperators.NE, 0f))
                 .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AXIS).compare(VectorOperators.EQ, axis))
                 .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.IGNORED).compare(VectorOperators.NE, triangle))
                 .andNot(below.and(above));
+        FloatVector hit = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT);
+        VectorMask<Float> close = met.and(distance.compare(VectorOperators.GE, end.mul(1f - Coincidence.TOLERANCE)));
+        VectorMask<Float> taken = met.andNot(close);
+        if (close.anyTrue()) {
+            distance.intoArray(r, PacketWalk.MET);
+        }
         end.blend(distance, taken).intoArray(r, PacketWalk.END);
         FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE)
                 .blend(distance, taken)
@@ -134,6 +137,7 @@ final class TriangleLanes {
         FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.TRIANGLE)
                 .blend(triangle, taken)
                 .intoArray(t, at + Tile.TRIANGLE);
+        return close.toLong();
     }
 
     /** Ends the rays of the given axis that hit the current triangle; returns one bit per ended ray. */
