@@ -21,6 +21,9 @@ public final class PathJson {
         tree.put("pixel", List.of(path.column(), path.row()));
         tree.put("sample", path.sample());
         tree.put("samples", path.samples());
+        if (path.lights().size() > 1) {
+            tree.put("lights", path.lights());
+        }
         tree.put("steps", steps(path.steps()));
         tree.put("sampleRadiance", rgb(path.radiance()));
         tree.put("pixelRadiance", rgb(path.pixel()));
@@ -105,18 +108,37 @@ public final class PathJson {
         if (shading.ior() > 0) {
             tree.put("ior", number(shading.ior()));
         }
-        tree.put("toLight", vector(shading.toLight()));
-        tree.put("normalDotLight", number(shading.normalDotLight()));
-        tree.put("visible", number(shading.visible()));
         tree.put("lit", number(shading.lit()));
-        tree.put("specular", number(shading.specular()));
         tree.put("mirror", number(shading.mirror()));
         tree.put("transmission", number(shading.transmission()));
         tree.put("reflectance", number(shading.reflectance()));
+        shading.onlyLight()
+                .ifPresentOrElse(
+                        light -> put(tree, light),
+                        () -> tree.put(
+                                "lights",
+                                shading.lights().stream().map(PathJson::light).toList()));
+        return tree;
+    }
+
+    private static Map<String, Object> light(LightPart light) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("light", light.light());
+        put(tree, light);
+        return tree;
+    }
+
+    private static void put(Map<String, Object> tree, LightPart light) {
+        tree.put("toLight", vector(light.toLight()));
+        tree.put("normalDotLight", number(light.normalDotLight()));
+        tree.put("visible", number(light.visible()));
+        if (light.share() != 1) {
+            tree.put("share", number(light.share()));
+        }
+        tree.put("specular", number(light.specular()));
         tree.put(
                 "shadowRays",
-                shading.shadowRays().stream().map(PathJson::shadowRay).toList());
-        return tree;
+                light.shadowRays().stream().map(PathJson::shadowRay).toList());
     }
 
     private static Map<String, Object> shadowRay(LightSample ray) {

@@ -27,7 +27,7 @@ public final class PathText {
         rows.add(TITLES);
         List<PathStep> steps = path.steps();
         for (int step = 0; step < steps.size(); step++) {
-            rows.add(row(step, steps.get(step)));
+            rows.add(row(path, step, steps.get(step)));
         }
         StringBuilder text = new StringBuilder();
         text.append(String.format(
@@ -47,12 +47,15 @@ public final class PathText {
         text.append('\n');
         for (int step = 0; step < steps.size(); step++) {
             int number = step;
-            steps.get(step).shading().ifPresent(shading -> text.append(surface(number, shading)));
+            steps.get(step).shading().ifPresent(shading -> text.append(surface(path, number, shading)));
         }
         text.append(String.format(
                 Locale.ROOT,
                 "%nadds = throughput * ((1 - m) (1 - t) lit C + lightColor spec);"
                         + " light and sky add throughput * their radiance%n"));
+        if (steps.stream().anyMatch(PathText::hasSeveralLights)) {
+            text.append("lit = max(ambient, sum of k max(0, N.L) S); each light adds its own lightColor spec\n");
+        }
         text.append(String.format(
                 Locale.ROOT,
                 "Sum of the steps: %s. Pixel: %s, shown as %d %d %d%n",
@@ -64,18 +67,19 @@ public final class PathText {
         return text.toString().replace(System.lineSeparator(), "\n");
     }
 
-    private static List<String> row(int number, PathStep step) {
+    private static List<String> row(PixelPath path, int number, PathStep step) {
         Optional<ShadedSurface> shading = step.shading();
+        Optional<LightPart> light = shading.flatMap(ShadedSurface::onlyLight);
         return List.of(
                 Integer.toString(number),
                 step.parent() == PathStep.NO_PARENT ? "-" : Integer.toString(step.parent()),
                 step.kind().id(),
-                PathStep.bodyName(step.body()),
+                path.bodyName(step.body()),
                 step.body() == Layout.NOTHING ? "-" : TextTable.number("%.3f m", step.distance()),
-                cell(shading.map(ShadedSurface::normalDotLight)),
-                cell(shading.map(ShadedSurface::visible)),
+                cell(light.map(LightPart::normalDotLight)),
+                cell(light.map(LightPart::visible)),
                 cell(shading.map(ShadedSurface::lit)),
-                cell(shading.map(ShadedSurface::specular)),
+                cell(light.map(LightPart::specular)),
                 cell(shading.map(ShadedSurface::mirror)),
                 cell(shading.map(ShadedSurface::transmission)),
                 cell(shading.map(ShadedSurface::reflectance)),
@@ -83,20 +87,43 @@ public final class PathText {
                 TextTable.rgb(step.adds()));
     }
 
-    private static String surface(int step, ShadedSurface shading) {
+    private static boolean hasSeveralLights(PathStep step) {
+        return step.shading().filter(shading -> shading.onlyLight().isEmpty()).isPresent();
+    }
+
+    private static String surface(PixelPath path, int step, ShadedSurface shading) {
+        String lights = shading.onlyLight()
+                .map(only -> "; " + shadow(path, only.shadowRays()) + "\n")
+                .orElseGet(() -> shading.lights().stream()
+                        .map(light -> light(path, step, light))
+                        .collect(Collectors.joining("", "\n", "")));
         return String.format(
                 Locale.ROOT,
-                "step %d: point %s, N %s, C %s, p %s%s; %s%n",
+                "step %d: point %s, N %s, C %s, p %s%s%s",
                 step,
                 TextTable.vector(shading.point()),
                 TextTable.vector(shading.normal()),
                 TextTable.rgb(shading.albedo()),
                 TextTable.number("%.4g", shading.reflectivity()),
                 shading.roughness() > 0 ? ", roughness " + TextTable.number("%.3f", shading.roughness()) : "",
-                shadow(shading.shadowRays()));
+                lights);
     }
 
-    private static String shadow(List<LightSample> rays) {
+    private static String light(PixelPath path, int step, LightPart light) {
+        return String.format(
+                Locale.ROOT,
+                "step %d, light %d: N.L %s, S %s, k %s, adds %s to lit, spec %s; %s%n",
+                step,
+                light.light() + 1,
+                TextTable.number("%.4f", light.normalDotLight()),
+                TextTable.number("%.4f", light.visible()),
+                TextTable.number("%.4g", light.share()),
+                TextTable.number("%.4f", light.lit()),
+                TextTable.number("%.4f", light.specular()),
+                shadow(path, light.shadowRays()));
+    }
+
+    private static String shadow(PixelPath path, List<LightSample> rays) {
         if (rays.isEmpty()) {
             return "no shadow rays, as S would change nothing";
         }
@@ -106,12 +133,13 @@ public final class PathText {
                 .collect(Collectors.groupingBy(LightSample::blocker, TreeMap::new, Collectors.counting()));
         return rays.size() + (rays.size() == 1 ? " shadow ray, " : " shadow rays, ") + free + " free"
                 + blockers.entrySet().stream()
-                        .map(entry -> ", " + entry.getValue() + " stopped or dimmed by " + blocker(entry.getKey()))
+                        .map(entry ->
+                                ", " + entry.getValue() + " stopped or dimmed by " + blocker(path, entry.getKey()))
                         .collect(Collectors.joining());
     }
 
-    private static String blocker(int body) {
-        return body == Layout.NOTHING ? "an edge" : PathStep.bodyName(body);
+    private static String blocker(PixelPath path, int body) {
+        return body == Layout.NOTHING ? "an edge" : path.bodyName(body);
     }
 
     private static String cell(Optional<Double> value) {

@@ -3,12 +3,14 @@ package dev.twister.explain;
 import dev.twister.engine.JvmKernel;
 import dev.twister.image.Frame;
 import dev.twister.kernel.Aspect;
+import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
 import dev.twister.scene.Rgb;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Picture;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.IntStream;
 
 /**
  * The path of one sample of a pixel, as the kernel follows it.
@@ -17,6 +19,7 @@ import java.util.Objects;
  * @param row from 0 at the top
  * @param sample from 0
  * @param samples of the pixel
+ * @param lights the lights' bodies
  * @param isTraced whether the integrator is {@code path}
  * @param steps in the order in which the kernel follows the rays; the view ray is the first
  * @param radiance of the sample: what the steps add, as floats added one after the other
@@ -28,6 +31,7 @@ public record PixelPath(
         int row,
         int sample,
         int samples,
+        List<Integer> lights,
         boolean isTraced,
         List<PathStep> steps,
         Rgb radiance,
@@ -56,11 +60,23 @@ public record PixelPath(
                 row,
                 sample,
                 input.samplesPerPixel(),
+                IntStream.range(0, input.lights()).mapToObj(input::light).toList(),
                 traced,
                 steps,
                 sum(steps),
                 Floats.rgb(linear.radiance(), 3 * column),
                 shown.argb()[column]);
+    }
+
+    /** Such as {@code sky}, {@code light}, {@code light 2}, {@code plane} or {@code body 5}. */
+    public String bodyName(int body) {
+        int light = lights.indexOf(body);
+        return switch (body) {
+            case Layout.NOTHING -> "sky";
+            case Layout.LIGHT -> "light";
+            case Layout.PLANE -> "plane";
+            default -> light > 0 ? "light " + (light + 1) : "body " + body;
+        };
     }
 
     /** Red (0), green (1) or blue (2) of the pixel as it is shown, in [0, 255]. */

@@ -97,8 +97,9 @@ final class TraceRecorder {
         }
         Optional<FoundLight> light = metLight(ray, body);
         Rgb throughput = Floats.rgb(ray, Layout.THROUGHPUT);
-        Optional<Scattering> scattering =
-                body > Layout.LIGHT ? Optional.of(scattering(ray.clone(), body, bounce)) : Optional.empty();
+        Optional<Scattering> scattering = body > Layout.LIGHT && !input.isLight(body)
+                ? Optional.of(scattering(ray.clone(), body, bounce))
+                : Optional.empty();
         return step(source, bounce, ray, throughput, body, light, scattering);
     }
 

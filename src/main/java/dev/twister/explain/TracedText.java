@@ -23,7 +23,7 @@ final class TracedText {
         StringBuilder surfaces = new StringBuilder();
         for (int step = 0; step < path.steps().size(); step++) {
             PathStep ray = path.steps().get(step);
-            rows.add(row(step, ray));
+            rows.add(row(path, step, ray));
             int number = step;
             ray.scattering().ifPresent(scattering -> surfaces.append(surface(path, number, scattering)));
         }
@@ -54,13 +54,13 @@ final class TracedText {
                         path.shown(2));
     }
 
-    private static List<String> row(int number, PathStep step) {
+    private static List<String> row(PixelPath path, int number, PathStep step) {
         Optional<FoundLight> light = step.light();
         return List.of(
                 Integer.toString(number),
                 step.parent() == PathStep.NO_PARENT ? "-" : Integer.toString(step.parent()),
                 step.kind().id(),
-                PathStep.bodyName(step.body()),
+                path.bodyName(step.body()),
                 step.body() == Layout.NOTHING ? "-" : TextTable.number("%.3f m", step.distance()),
                 light.map(found -> density(found.surfaceDensity())).orElse("-"),
                 light.map(found -> density(found.emitterDensity())).orElse("-"),
@@ -83,7 +83,7 @@ final class TracedText {
                         probability(surface.matte()),
                         probability(surface.glass()))
                 + surface.emitter()
-                        .map(chosen -> emitter(chosen, isAimedAt(path, step)))
+                        .map(chosen -> emitter(path, chosen, isAimedAt(path, step)))
                         .orElse("")
                 + surface.next().map(TracedText::lobe).orElse("\n        the last bounce: no ray is scattered")
                 + "\n";
@@ -93,8 +93,8 @@ final class TracedText {
         return path.steps().stream().anyMatch(ray -> ray.kind() == RayKind.EMITTER && ray.parent() == step);
     }
 
-    private static String emitter(EmitterChoice emitter, boolean aimedAt) {
-        return "\n        chose emitter " + PathStep.bodyName(emitter.body()) + " with probability "
+    private static String emitter(PixelPath path, EmitterChoice emitter, boolean aimedAt) {
+        return "\n        chose emitter " + path.bodyName(emitter.body()) + " with probability "
                 + probability(emitter.probability()) + (aimedAt ? "" : "; no light from the chosen direction");
     }
 

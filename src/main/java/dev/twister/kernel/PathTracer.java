@@ -83,10 +83,11 @@ public final class PathTracer {
                 meet(path, body, frame, bodies, looks, meshes, images, variant);
                 addEmission(path, body, bounce, frame, bodies, looks, variant);
             }
-            if (body > Layout.LIGHT) {
+            int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - SeveralLights.contain(body, frame, variant));
+            if (isSurface != 0) {
                 toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
             }
-            goesOn = body > Layout.LIGHT ? carriesLight(path) : 0;
+            goesOn = isSurface != 0 ? carriesLight(path) : 0;
             Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
         }
         if (toEmitter == 0) {

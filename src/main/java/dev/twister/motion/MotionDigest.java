@@ -2,6 +2,7 @@ package dev.twister.motion;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraView;
+import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Palette;
@@ -53,6 +54,11 @@ final class MotionDigest {
             return;
         }
         switch (part) {
+            case Light light -> {
+                addText(Light.class.getSimpleName());
+                add(light.position());
+                add(light.radius());
+            }
             case Mesh mesh when mesh.smoothDegrees() != 0 -> add(mesh.withSmooth(0));
             case Record record -> {
                 addText(record.getClass().getSimpleName());

@@ -10,6 +10,7 @@ import dev.twister.explain.Scattering.LobeChoice;
 import dev.twister.kernel.Layout;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.Pictures;
+import dev.twister.oracle.RandomLights;
 import dev.twister.oracle.RandomMaterials;
 import dev.twister.oracle.RandomMeshes;
 import dev.twister.oracle.ShippedScenes;
@@ -59,6 +60,16 @@ class PixelPathTest {
         for (int seed = 0; seed < 8; seed++) {
             LitScene scene = RandomMaterials.scene(new Random(seed), bounces);
             pathsAddUp(input(scene, scene.scene().rendering()));
+        }
+    }
+
+    @Test
+    void severalLightsAddUp() {
+        for (int seed = 0; seed < 8; seed++) {
+            Random random = new Random(seed);
+            LitScene scene = seed % 2 == 0 ? RandomMaterials.scene(random, 3) : RandomMeshes.scene(random, 3);
+            LitScene lit = RandomLights.added(scene, random);
+            pathsAddUp(input(lit, lit.scene().rendering()));
         }
     }
 
@@ -201,11 +212,15 @@ class PixelPathTest {
 
     /** The kernel counts by other methods, which may differ where a ray grazes a sphere. */
     private static void shadowIsTheMeanOfItsRays(ShadedSurface shading) {
-        List<LightSample> rays = shading.shadowRays();
+        shading.lights().forEach(PixelPathTest::shadowIsTheMeanOfItsRays);
+    }
+
+    private static void shadowIsTheMeanOfItsRays(LightPart light) {
+        List<LightSample> rays = light.shadowRays();
         // Without rays, a mesh face turned away from the light has visibility 0, everything else 1.
-        double mean = rays.stream().mapToDouble(LightSample::light).average().orElse(shading.visible() == 0 ? 0 : 1);
+        double mean = rays.stream().mapToDouble(LightSample::light).average().orElse(light.visible() == 0 ? 0 : 1);
         double ray = rays.size() > 1 ? 1.0 / rays.size() : 0;
-        assertThat(mean).isCloseTo(shading.visible(), within(ray + 1e-5));
+        assertThat(mean).isCloseTo(light.visible(), within(ray + 1e-5));
     }
 
     private static void treeIsWhole(List<PathStep> steps) {
@@ -237,8 +252,8 @@ class PixelPathTest {
         assertThat(steps.getFirst().body()).isEqualTo(Layout.PLANE);
         assertThat(steps.getFirst().distance()).isCloseTo(4, within(1e-6));
         assertThat(shading.mirror()).isEqualTo(0.5);
-        assertThat(shading.visible()).isEqualTo(1);
-        assertThat(shading.shadowRays()).hasSize(8).allMatch(ray -> ray.blocker() == Layout.NOTHING);
+        assertThat(light(shading).visible()).isEqualTo(1);
+        assertThat(light(shading).shadowRays()).hasSize(8).allMatch(ray -> ray.blocker() == Layout.NOTHING);
         assertThat(steps.getLast().kind()).isEqualTo(RayKind.REFLECTED);
         assertThat(steps.getLast().body()).isEqualTo(Layout.NOTHING);
         assertThat(steps.getLast().throughput().red()).isCloseTo(0.5 * shading.lit(), within(1e-6));
@@ -253,17 +268,17 @@ class PixelPathTest {
                 .shading()
                 .orElseThrow();
 
-        assertThat(shading.shadowRays()).hasSize(8);
+        assertThat(light(shading).shadowRays()).hasSize(8);
         if (blocker == 2) {
-            assertThat(shading.visible()).isStrictlyBetween(0.0, light);
-            assertThat(shading.shadowRays()).anyMatch(ray -> ray.light() == 0 && ray.blocker() == blocker);
+            assertThat(light(shading).visible()).isStrictlyBetween(0.0, light);
+            assertThat(light(shading).shadowRays()).anyMatch(ray -> ray.light() == 0 && ray.blocker() == blocker);
         }
         if (blocker == Layout.NOTHING) {
-            assertThat(shading.visible()).isEqualTo(light);
+            assertThat(light(shading).visible()).isEqualTo(light);
         }
         if (blocker == 0) {
-            assertThat(shading.visible()).isZero();
-            assertThat(shading.shadowRays()).allMatch(ray -> ray.light() == 0 && ray.blocker() == 2);
+            assertThat(light(shading).visible()).isZero();
+            assertThat(light(shading).shadowRays()).allMatch(ray -> ray.light() == 0 && ray.blocker() == 2);
         }
     }
 
@@ -325,5 +340,9 @@ class PixelPathTest {
     private static FrameInput input(LitScene lit, Rendering settings) {
         return World.of(lit.scene().withRendering(settings), lit.images(), lit.meshes())
                 .snapshot();
+    }
+
+    private static LightPart light(ShadedSurface shading) {
+        return shading.onlyLight().orElseThrow();
     }
 }

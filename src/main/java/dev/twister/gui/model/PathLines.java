@@ -43,7 +43,10 @@ public final class PathLines {
     public static List<Line> of(PixelPath path) {
         List<Line> lines = new ArrayList<>();
         for (PathStep step : path.steps()) {
-            step.shading().ifPresent(shading -> shading.shadowRays().forEach(ray -> lines.add(shadow(shading, ray))));
+            step.shading()
+                    .ifPresent(shading -> shading.lights().stream()
+                            .flatMap(light -> light.shadowRays().stream())
+                            .forEach(ray -> lines.add(shadow(shading, ray))));
         }
         double normal = NORMAL_LENGTH * length(path.steps().getFirst());
         for (PathStep step : path.steps()) {

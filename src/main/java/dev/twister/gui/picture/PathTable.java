@@ -1,6 +1,7 @@
 package dev.twister.gui.picture;
 
 import dev.twister.explain.FoundLight;
+import dev.twister.explain.LightPart;
 import dev.twister.explain.PathStep;
 import dev.twister.explain.PixelPath;
 import dev.twister.explain.Scattering;
@@ -12,6 +13,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -45,10 +47,10 @@ public final class PathTable extends VBox {
         column("Ray", 8.2, this::ray);
         column("Meets", 5.5, step -> InspectorText.bodyName(pick.sceneBody(step.body())));
         column("Distance", 6, step -> step.distance() == 0 ? "" : number(step.distance()) + " m");
-        shading("N·L", 3.9, ShadedSurface::normalDotLight);
-        shading("S", 3.6, ShadedSurface::visible);
+        lights("N·L", 3.9, LightPart::normalDotLight);
+        lights("S", 3.6, LightPart::visible);
         shading("lit", 3.6, ShadedSurface::lit);
-        shading("spec", 3.8, ShadedSurface::specular);
+        lights("spec", 3.8, LightPart::specular);
         ofIntegrator(
                 false,
                 column(
@@ -150,6 +152,20 @@ public final class PathTable extends VBox {
     /** Shows a column with paths of one integrator only. */
     private void ofIntegrator(boolean traced, TableColumn<PathStep, String> column) {
         column.visibleProperty().bind(isTraced.map(shown -> shown == traced));
+    }
+
+    /** With a line for each light. */
+    private void lights(String name, double width, ToDoubleFunction<LightPart> value) {
+        ofIntegrator(
+                false,
+                column(
+                        name,
+                        width,
+                        step -> step.shading()
+                                .map(shading -> shading.lights().stream()
+                                        .map(light -> number(value.applyAsDouble(light)))
+                                        .collect(Collectors.joining("\n")))
+                                .orElse("")));
     }
 
     /** Its width is in letters' heights. */

@@ -24,6 +24,7 @@ final class SceneDocument {
         Scene scene = new SceneFormat(version, materials(fields, version, files), files)
                 .scene()
                 .read(root);
+        LightRules.check(fields);
         KeyframeRules.check(scene.camera().keyframes(), fields.get("camera").fields());
         ViewRules.check(scene.views(), fields);
         scene.pour()

@@ -54,6 +54,9 @@ final class SceneFormat {
     /** The version that first has named materials. */
     static final int MATERIALS_SINCE = 2;
 
+    /** The version that first has several lights. */
+    private static final int LIGHTS_SINCE = 3;
+
     private static final String MATERIAL = "material";
 
     private static final ValueType<Vector3> POSITION = ValueType.vector(SceneLimits.POSITION);
@@ -129,7 +132,9 @@ final class SceneFormat {
                             ValueType.present(new Decimal(SceneLimits.LIGHT_STRENGTH)),
                             Light::strength,
                             Light::withStrength)
-                    .from(3));
+                    .from(LIGHTS_SINCE),
+            sparse("share", new Decimal(SceneLimits.LIGHT_SHARE), Light::share, Light::withShare)
+                    .from(LIGHTS_SINCE));
 
     private static final List<Field<Ground, ?>> PLANE = List.of(
             required("size", LENGTH, Ground::size, Ground::withSize),
@@ -335,6 +340,30 @@ final class SceneFormat {
                 version, defaults, parts.stream().flatMap(List::stream).toList());
     }
 
+    private Field<Lights, Optional<Light>> light() {
+        Field<Lights, Optional<Light>> field = required(
+                LightRules.ONE,
+                ValueType.present(structure(Light.DEFAULT, List.of(LIGHT))),
+                lights -> Optional.of(lights.first()).filter(_ -> lights.count() == 1),
+                (_, light) -> Lights.of(light.orElseThrow()));
+        return version < LIGHTS_SINCE ? field : field.orOther();
+    }
+
+    private Field<Lights, Optional<List<Light>>> lights() {
+        Array<Light> several = new Array<>(
+                structure(Light.DEFAULT, List.of(LIGHT)),
+                1,
+                SceneLimits.MAX_LIGHTS,
+                "an array of 1 to " + SceneLimits.MAX_LIGHTS + " lights");
+        return Field.<Lights, Optional<List<Light>>>required(
+                        LightRules.SEVERAL,
+                        ValueType.present(new Lines<>(several)),
+                        lights -> Optional.of(lights.list()).filter(_ -> lights.count() > 1),
+                        (_, lights) -> new Lights(lights.orElseThrow()))
+                .from(LIGHTS_SINCE)
+                .orOther();
+    }
+
     Structure<Scene> scene() {
         return Structure.of(
                 version,
@@ -362,12 +391,8 @@ final class SceneFormat {
                                         Scene::views,
                                         Scene::withViews)
                                 .from(2),
-                        required(
-                                        "light",
-                                        structure(Light.DEFAULT, List.of(LIGHT)),
-                                        Lights::first,
-                                        (_, light) -> Lights.of(light))
-                                .within(Scene::lights, Scene::withLights),
+                        light().within(Scene::lights, Scene::withLights),
+                        lights().within(Scene::lights, Scene::withLights),
                         sparse(MATERIALS, materials(), Scene::materials, Scene::withMaterials)
                                 .from(MATERIALS_SINCE),
                         required("plane", plane(), Scene::ground, Scene::withGround),

@@ -92,7 +92,12 @@ final class RandomValues {
     }
 
     private <R, T> R withAny(R record, Field<R, T> field) {
-        boolean leftOut = field.presence() == Field.Presence.SPARSE && random.nextBoolean();
+        boolean leftOut = switch (field.presence()) {
+            case SPARSE -> random.nextBoolean();
+            // Mostly one light, as engines draw several in another way.
+            case EITHER -> field.name().equals(LightRules.SEVERAL) && random.nextInt(8) > 0;
+            case REQUIRED, WRITTEN -> false;
+        };
         return leftOut ? record : field.with().apply(record, of(field.type()));
     }
 }

@@ -163,6 +163,13 @@ class SchemaTest {
         }
         Map<String, Object> object =
                 schema(Map.of("type", "object", "properties", properties, "additionalProperties", false));
+        List<Map<String, Object>> either = structure.fields().stream()
+                .filter(field -> field.presence() == Field.Presence.EITHER)
+                .map(field -> schema(Map.of("required", List.of(field.name()))))
+                .toList();
+        if (!either.isEmpty()) {
+            object.put("oneOf", either);
+        }
         if (!structure.names(true).isEmpty()) {
             object.put("required", structure.names(true));
         }

@@ -127,7 +127,7 @@ final class SpoiltScenes {
                     true,
                     "  \"version\": 1,\n",
                     "",
-                    "1:1: $.version is missing; required here: version, camera, light, plane, skybox, spheres"),
+                    "1:1: $.version is missing; required here: version, camera, plane, skybox, spheres"),
             new Spoilt(
                     "unknown field",
                     true,

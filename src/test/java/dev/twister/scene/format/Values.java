@@ -97,6 +97,9 @@ final class Values {
     private static <R, T> Arbitrary<R> withAny(Arbitrary<R> records, Field<R, T> field) {
         Arbitrary<R> changed = Combinators.combine(records, of(field.type()))
                 .as((record, value) -> field.with().apply(record, value));
-        return field.presence() == Field.Presence.SPARSE ? Arbitraries.oneOf(records, changed) : changed;
+        return switch (field.presence()) {
+            case SPARSE, EITHER -> Arbitraries.oneOf(records, changed);
+            case REQUIRED, WRITTEN -> changed;
+        };
     }
 }
