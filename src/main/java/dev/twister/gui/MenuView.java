@@ -36,7 +36,7 @@ import javafx.scene.input.KeyEvent;
 
 /** The menus. */
 final class MenuView extends MenuBar {
-    /** A line stands above each. */
+    /** Each has a separator above it. */
     private static final Set<Command> BELOW_A_LINE = EnumSet.of(
             Command.SCREENSHOT,
             Command.QUIT,

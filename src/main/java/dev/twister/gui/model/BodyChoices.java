@@ -7,7 +7,7 @@ import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** The bodies that a person can choose from by name. */
+/** The bodies that the user can choose by name. */
 public final class BodyChoices {
     /** Of more lights, spheres or meshes, only the selected ones are listed, and no more of those. */
     private static final int MOST = 1000;
@@ -34,8 +34,8 @@ public final class BodyChoices {
     }
 
     /**
-     * Such as {@code Sphere 3, glass} or {@code Mesh 1 (knot.obj), glass}: with the name of its material, where it has
-     * one.
+     * The displayed name, with that of the body's material if it has one: {@code Sphere 3, glass} or {@code Mesh 1
+     * (knot.obj), glass}.
      */
     public static String name(Scene scene, int body) {
         if (BodyEdits.isPoured(scene, body)) {

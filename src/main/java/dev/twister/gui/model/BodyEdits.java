@@ -84,8 +84,8 @@ public final class BodyEdits {
      * The body that number of steps on in the round of nothing, all lights, the plane, all spheres and all meshes in
      * their order.
      *
-     * @param body where the round begins: {@link BodyNumber#NONE} or an editable body
-     * @param steps back where they are negative
+     * @param body where the cycle starts: {@link BodyNumber#NONE} or an editable body
+     * @param steps backward if negative
      */
     public static int along(Scene scene, int body, int steps) {
         int plane = 1 + scene.lights().count();

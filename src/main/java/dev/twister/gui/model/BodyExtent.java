@@ -18,7 +18,7 @@ public record BodyExtent(Vector3 middle, double radius, double halfWidth) {
     /** Where a mesh has not been read yet. */
     private static final double UNKNOWN = 1;
 
-    /** A copy beside it does not touch it. */
+    /** The distance at which a copy does not touch the body. */
     private static final double APART = 2.2;
 
     /** That of a movable body. */

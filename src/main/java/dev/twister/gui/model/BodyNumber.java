@@ -7,8 +7,8 @@ import dev.twister.world.FrameInput;
 import dev.twister.world.SceneMeshes;
 
 /**
- * How the window numbers a scene's bodies: the first light, the plane and the spheres as a picture of it does. A mesh
- * is one body of the scene, and one for each of its parts in a picture.
+ * The window's numbers of a scene's bodies: the first light, the plane and the spheres are numbered as in
+ * {@code FrameInput}. A mesh is one body here, but one per part in a {@code FrameInput}.
  */
 public final class BodyNumber {
     /** No body: the sky is seen there, or nothing is selected. */

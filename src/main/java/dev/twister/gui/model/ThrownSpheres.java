@@ -42,7 +42,7 @@ public final class ThrownSpheres {
             Sphere sphere = spheres.get(index);
             double low = SceneLimits.POSITION.clamp(scene.ground().height() + sphere.radius());
             double highest = SceneLimits.POSITION.max() - low;
-            // Where it was too crowded for the one before, all of it need not be tried again.
+            // A place that had no room for the previous sphere has none for this one.
             top = Math.min(Math.max(4 * largest, top / GROWTH), highest);
             Vector3 place = place(random, half, low, top);
             for (int tries = 1; !packing.isFree(place, sphere.radius()); tries++) {
@@ -67,7 +67,7 @@ public final class ThrownSpheres {
                 && Arrays.equals(radii(thrown), radii(edited));
     }
 
-    /** The edited scene with the places that were found for its spheres; only where they {@link #fit}. */
+    /** The edited scene with the places found for its spheres; call it only if they {@link #fit}. */
     public static Scene placed(Scene thrown, Scene edited) {
         List<Sphere> spheres = edited.spheres();
         return edited.withSpheres(IntStream.range(0, spheres.size())
@@ -83,7 +83,7 @@ public final class ThrownSpheres {
         return sphere.withPosition(place);
     }
 
-    /** Half the width of where they are thrown: on a plane that is too small for all they would pile up to the sky. */
+    /** Half the width of the area in which spheres are placed. On a small plane they would pile up without a limit. */
     private static double half(Scene scene) {
         double cubes = scene.spheres().stream()
                 .mapToDouble(sphere -> Math.pow(sphere.radius(), 3))
