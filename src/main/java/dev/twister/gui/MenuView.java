@@ -9,7 +9,6 @@ import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
 import dev.twister.gui.model.Mnemonics;
 import dev.twister.gui.model.ShownPictures;
@@ -41,7 +40,7 @@ import javafx.scene.input.KeyEvent;
 
 /** The menus. */
 final class MenuView extends MenuBar {
-    /** A line stands above each. */
+    /** Each has a separator above it. */
     private static final Set<Command> BELOW_A_LINE = EnumSet.of(
             Command.SCREENSHOT,
             Command.QUIT,
@@ -103,7 +102,7 @@ final class MenuView extends MenuBar {
                 .bodiesProperty()
                 .subscribe(selected -> items.get(Command.DELETE)
                         .setDisable(
-                                selected.bodies().stream().noneMatch(body -> BodyEdits.isSolid(studio.scene(), body))));
+                                BodyEdits.deletable(studio.scene(), selected).count() == 0));
     }
 
     /** Says why a command does nothing whose key is pressed in the picture. */
@@ -121,7 +120,7 @@ final class MenuView extends MenuBar {
         int selected = studio.selection().active();
         return switch (command) {
             case DELETE ->
-                selected == BodyNumber.LIGHT
+                BodyEdits.isLight(studio.scene(), selected)
                         ? BodyActions.UNDELETED_LIGHT
                         : BodyEdits.isPoured(studio.scene(), selected)
                                 ? "A poured sphere can't be deleted"

@@ -13,7 +13,7 @@ import java.util.OptionalDouble;
  * @param frame 8-bit pixels, valid until the picture is given back; smaller than requested just after the start, when
  *     nothing is compiled yet
  * @param request the request that it answers
- * @param input the engine's input, which tells where each body was
+ * @param input the engine's input, with the place of each body
  * @param meshes the meshes that it shows
  * @param engine id of the engine that drew it
  * @param device name of the device

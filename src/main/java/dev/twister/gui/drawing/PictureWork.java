@@ -55,7 +55,7 @@ final class PictureWork implements AutoCloseable {
     private Optional<Engine> drawer = Optional.empty();
     private Optional<RefinedPicture> refined = Optional.empty();
 
-    /** Edition of the sky in the gathered samples: the file may have been read anew since. */
+    /** The sky's version in the gathered samples: its file may have been read again since. */
     private float[] refinedSky = {};
 
     private Optional<Frame> pass = Optional.empty();
@@ -72,7 +72,7 @@ final class PictureWork implements AutoCloseable {
 
     /**
      * @param newest the newest request; empty if nothing is to be drawn
-     * @param whenReady called on another thread when there may be something to do for an answered request
+     * @param whenReady called on another thread when an answered request may have new work
      */
     PictureWork(
             PictureExchange exchange,

@@ -9,7 +9,7 @@ import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 import java.util.Optional;
 
-/** The mesh that a person inserts: as large as a new sphere, and where that would be. */
+/** The mesh that the user inserts: of the size and at the place of a new sphere. */
 public final class NewMesh {
     private NewMesh() {}
 
@@ -33,7 +33,7 @@ public final class NewMesh {
         Sphere room = NewSphere.inFrontOf(input, scene);
         double largest = Math.max(half.x(), Math.max(half.y(), half.z()));
         double scale = SceneLimits.SCALE.clamp(largest > 0 ? room.radius() / largest : 1);
-        // What is flat lies where the sphere would, rather than in its middle.
+        // A flat mesh lies on the ground, not at the sphere's center.
         Vector3 bottom = new Vector3(center.x(), center.y() - half.y(), center.z());
         Vector3 ground = room.position().minus(new Vector3(0, room.radius(), 0));
         return mesh.withScale(scale).withPosition(SceneLimits.POSITION.clamp(ground.minus(bottom.times(scale))));

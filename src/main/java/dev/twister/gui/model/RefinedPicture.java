@@ -47,7 +47,7 @@ public final class RefinedPicture {
         otherSums = new float[estimated ? sums.length : 0];
     }
 
-    /** Starts anew: the scene, the camera or a setting that changes radiance has changed. */
+    /** Restarts: the scene, the camera or a setting that changes radiance has changed. */
     public void reset() {
         Arrays.fill(sums, 0);
         Arrays.fill(otherSums, 0);
@@ -92,7 +92,7 @@ public final class RefinedPicture {
      * Adds a pass.
      *
      * @param pass linear, drawn from {@link #next} of as many samples
-     * @throws IllegalArgumentException where the frame is not linear or of another size
+     * @throws IllegalArgumentException if the frame is not linear or has another size
      */
     public void add(Frame pass, int passSamples) {
         if (!pass.isLinear() || !fits(pass.width(), pass.height())) {
@@ -131,7 +131,7 @@ public final class RefinedPicture {
      *
      * @param input whose exposure, tone map and sRGB curve count, and nothing else
      * @param argb receives 0xAARRGGBB, row by row from the top, from index 0 on
-     * @throws IllegalStateException where no pass was added yet
+     * @throws IllegalStateException if no pass was added yet
      */
     public void show(FrameInput input, IntBuffer argb) {
         if (samples == 0) {

@@ -16,7 +16,7 @@ public final class RefinementGoal {
 
     private RefinementGoal() {}
 
-    /** At least as many samples as the scene's settings have; one where numbers are shown, which it makes exact. */
+    /** At least the scene's own number of samples; one for views of numbers, which are exact with one sample. */
     public static int samples(Scene scene, Picture shown) {
         return shown.isColor() ? samples(scene) : 1;
     }

@@ -87,7 +87,7 @@ public final class StatusText {
                 + (pours ? ", and more are poured" : "");
     }
 
-    /** What the drawing thread does, or what failed; may be empty. */
+    /** The rendering thread's activity or failure; may be empty. */
     public static String message(DrawingStatus status) {
         return Stream.of(
                         status.opening().map(id -> "making engine " + id + " ready…"),
