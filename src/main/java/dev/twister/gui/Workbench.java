@@ -139,7 +139,7 @@ final class Workbench implements AutoCloseable {
                                 .set(!clipping.shownProperty().get()));
         panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, actions);
         panel.foldAsKept(settings);
-        menu = new MenuView(studio, settings, files, actions);
+        menu = new MenuView(studio, settings, files, actions, bodies::insert);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
         menu.check(Command.INSPECT, inspector.visibleProperty());
         menu.check(Command.COMPARE, comparison.modeProperty().map(mode -> mode != Mode.OFF));
@@ -275,6 +275,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.REDO_ALSO, studio::redo)
                 .on(Command.INSERT, bodies::insert)
                 .on(Command.INSERT_MESH, assets::insertMesh)
+                .on(Command.INSERT_LIGHT, bodies::insertLight)
                 .on(Command.DUPLICATE, bodies::duplicate)
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)

@@ -2,7 +2,9 @@ package dev.twister.mesh;
 
 import dev.twister.files.InputFile;
 import dev.twister.files.SystemReason;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Material;
+import dev.twister.scene.Shape;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.FileChannel;
@@ -13,9 +15,21 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 
-/** Reads mesh files: OBJ, glTF 2.0 (including binary), PLY and STL. */
+/** Reads mesh files: OBJ, glTF 2.0 (including binary), PLY and STL; makes shapes. */
 public final class MeshReader {
     private MeshReader() {}
+
+    /**
+     * The triangles of a file, as {@link #read(Path, double, Consumer)}, or of a shape.
+     *
+     * @param geometry a shape is a basis, see {@link Shape#basis}
+     */
+    public static MeshFile read(Geometry geometry, double smoothDegrees, Consumer<String> warnings) {
+        return switch (geometry) {
+            case Geometry.OfFile(Path path) -> read(path, smoothDegrees, warnings);
+            case Shape basis -> ShapeMaker.file(basis);
+        };
+    }
 
     /**
      * Reads a mesh file of at most 2 GiB and 16,000,000 triangles. The format is detected by the first bytes or, if the

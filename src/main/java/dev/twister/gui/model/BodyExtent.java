@@ -24,8 +24,8 @@ public record BodyExtent(Vector3 middle, double radius, double halfWidth) {
     /** That of a movable body. */
     public static BodyExtent of(Scene scene, SceneMeshes meshes, int body) {
         if (!BodyEdits.isMesh(scene, body)) {
-            double radius = body == BodyNumber.LIGHT
-                    ? scene.lights().first().radius()
+            double radius = BodyEdits.isLight(scene, body)
+                    ? BodyEdits.light(scene, body).radius()
                     : BodyEdits.sphere(scene, body).radius();
             return new BodyExtent(BodyEdits.position(scene, body), radius, radius);
         }

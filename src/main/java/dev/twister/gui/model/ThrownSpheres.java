@@ -23,7 +23,7 @@ public final class ThrownSpheres {
     private ThrownSpheres() {}
 
     /**
-     * The scene with its spheres elsewhere: over the middle of the plane, each clear of the plane, the light and those
+     * The scene with its spheres elsewhere: over the middle of the plane, each clear of the plane, the lights and those
      * that were placed before it. Only spheres so large that there is no such place in all that a scene may span are in
      * others.
      *
@@ -33,8 +33,7 @@ public final class ThrownSpheres {
         SplittableRandom random = new SplittableRandom(seed);
         List<Sphere> spheres = scene.spheres();
         double largest = spheres.stream().mapToDouble(Sphere::radius).max().orElse(1);
-        SpherePacking packing = new SpherePacking(
-                scene.lights().first().position(), scene.lights().first().radius(), largest);
+        SpherePacking packing = new SpherePacking(scene.lights(), largest);
         Sphere[] thrown = new Sphere[spheres.size()];
         double half = half(scene);
         double top = 0;
@@ -64,7 +63,7 @@ public final class ThrownSpheres {
     /** Whether a scene that was edited while its spheres were thrown can have the places that were found. */
     public static boolean fit(Scene thrown, Scene edited) {
         return thrown.ground().equals(edited.ground())
-                && thrown.lights().first().equals(edited.lights().first())
+                && thrown.lights().equals(edited.lights())
                 && Arrays.equals(radii(thrown), radii(edited));
     }
 

@@ -33,6 +33,8 @@ public final class PathTable extends VBox {
     /** Of the usual text, as the style sheet has it. */
     private static final double TEXT = 0.85;
 
+    private static final int MOST_LIGHTS = 8;
+
     private final Label heading = new Label();
     private final BooleanProperty isTraced = new SimpleBooleanProperty();
     private final TableView<PathStep> table = new TableView<>();
@@ -154,7 +156,7 @@ public final class PathTable extends VBox {
         column.visibleProperty().bind(isTraced.map(shown -> shown == traced));
     }
 
-    /** With a line for each light. */
+    /** With a line for each of the first lights. */
     private void lights(String name, double width, ToDoubleFunction<LightPart> value) {
         ofIntegrator(
                 false,
@@ -163,6 +165,7 @@ public final class PathTable extends VBox {
                         width,
                         step -> step.shading()
                                 .map(shading -> shading.lights().stream()
+                                        .limit(MOST_LIGHTS)
                                         .map(light -> number(value.applyAsDouble(light)))
                                         .collect(Collectors.joining("\n")))
                                 .orElse("")));

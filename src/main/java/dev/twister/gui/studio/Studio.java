@@ -13,6 +13,7 @@ import dev.twister.gui.model.ResolutionMode;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Body;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
@@ -207,6 +208,13 @@ public final class Studio implements AutoCloseable {
         selection.select(BodyEdits.numbersOfLast(scene(), added));
     }
 
+    /** Adds a light to the scene as an edit of its own, and selects it. */
+    public void insert(Light light) {
+        edit("insert light", standing -> standing.withLights(standing.lights().with(List.of(light))));
+        endGesture();
+        selection.select(BodyNumber.ofLight(scene().lights().count() - 1));
+    }
+
     /** Starts a new undo step, for example when the mouse button is released. */
     public void endGesture() {
         document.endGesture();
@@ -357,7 +365,8 @@ public final class Studio implements AutoCloseable {
     }
 
     private void changing(Scene before, Scene now) {
-        if (before.spheres().size() != now.spheres().size()
+        if (before.lights().count() != now.lights().count()
+                || before.spheres().size() != now.spheres().size()
                 || before.meshes().size() != now.meshes().size()) {
             numbered = requests + 1;
         }
