@@ -53,7 +53,8 @@ class PathPixelsTest {
                 .withSamplesPerPixel(2)
                 .withSize(8, 6);
         Scene seen = scene.withRendering(settings).withCamera(camera(scene, random));
-        SceneImages images = new SceneImages(sky(lit.sky(), random), lit.images().textureByFile());
+        SceneImages images =
+                new SceneImages(sky(lit.sky(), random), lit.images().textureByFile());
         return new LitScene(seen, images, lit.meshes());
     }
 
