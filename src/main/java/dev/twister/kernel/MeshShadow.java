@@ -77,6 +77,7 @@ final class MeshShadow {
         float inverseY = NodeBox.inverse(directionY);
         float inverseZ = NodeBox.inverse(directionZ);
         int nodes = (int) frame[Layout.INSTANCES] + 1;
+        float growth = NodeBox.growth(bodies, nodes, pointX, pointY, pointZ);
         float light = 1f;
         int node = nodes;
         int waiting = 0;
@@ -87,9 +88,18 @@ final class MeshShadow {
             if (count < 0) {
                 Aspect.count(path, Aspect.TESTS, 2, variant);
                 int child = nodes + Layout.NODE_STRIDE * link;
-                float first = NodeBox.entry(bodies, child, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
+                float first =
+                        NodeBox.entry(bodies, child, pointX, pointY, pointZ, inverseX, inverseY, inverseZ, growth);
                 float second = NodeBox.entry(
-                        bodies, child + Layout.NODE_STRIDE, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
+                        bodies,
+                        child + Layout.NODE_STRIDE,
+                        pointX,
+                        pointY,
+                        pointZ,
+                        inverseX,
+                        inverseY,
+                        inverseZ,
+                        growth);
                 int both = (first <= 1f ? 1 : 0) & (second <= 1f ? 1 : 0);
                 if (both != 0) {
                     scratch[Layout.SCRATCH_STACK + waiting] = link + 1;
@@ -156,7 +166,9 @@ final class MeshShadow {
         int nodes = Instance.nodes(bodies, instance);
         int triangles = Instance.triangles(bodies, instance);
         Aspect.count(path, Aspect.TESTS, 1, variant);
-        int node = NodeBox.entry(meshes, nodes, x, y, z, inverseX, inverseY, inverseZ) <= 1f ? nodes : Layout.NO_NODE;
+        float growth = NodeBox.growth(meshes, nodes, x, y, z);
+        float rootEntry = NodeBox.entry(meshes, nodes, x, y, z, inverseX, inverseY, inverseZ, growth);
+        int node = rootEntry <= 1f ? nodes : Layout.NO_NODE;
         int waiting = 0;
         int met = 0;
         while (node != Layout.NO_NODE) {
@@ -166,8 +178,9 @@ final class MeshShadow {
             Aspect.count(path, Aspect.TESTS, count < 0 ? 2 : count, variant);
             if (count < 0) {
                 int child = nodes + Layout.NODE_STRIDE * link;
-                float left = NodeBox.entry(meshes, child, x, y, z, inverseX, inverseY, inverseZ);
-                float right = NodeBox.entry(meshes, child + Layout.NODE_STRIDE, x, y, z, inverseX, inverseY, inverseZ);
+                float left = NodeBox.entry(meshes, child, x, y, z, inverseX, inverseY, inverseZ, growth);
+                float right = NodeBox.entry(
+                        meshes, child + Layout.NODE_STRIDE, x, y, z, inverseX, inverseY, inverseZ, growth);
                 int both = (left <= 1f ? 1 : 0) & (right <= 1f ? 1 : 0);
                 if (both != 0) {
                     scratch[Layout.SCRATCH_SHADOW_NODES + waiting] = link + 1;

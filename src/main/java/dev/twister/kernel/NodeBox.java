@@ -30,10 +30,23 @@ public final class NodeBox {
     }
 
     /**
+     * Growth of all boxes for rays from an origin: that of the root's farthest corner.
+     *
+     * @param root place of the root in the hierarchy
+     */
+    public static float growth(float[] hierarchy, int root, float originX, float originY, float originZ) {
+        float x = Math.abs(hierarchy[root + Layout.NODE_CENTER] - originX) + hierarchy[root + Layout.NODE_HALF];
+        float y = Math.abs(hierarchy[root + Layout.NODE_CENTER + 1] - originY) + hierarchy[root + Layout.NODE_HALF + 1];
+        float z = Math.abs(hierarchy[root + Layout.NODE_CENTER + 2] - originZ) + hierarchy[root + Layout.NODE_HALF + 2];
+        return GROWTH * (x + y + z);
+    }
+
+    /**
      * Distance to the box in lengths of the direction, negative from inside; {@link #PASSED} if the ray misses it.
      *
      * @param node place of the node in the hierarchy
      * @param inverseX {@link #inverse} of the direction's x; inverseY and inverseZ likewise
+     * @param growth {@link #growth} of the hierarchy's boxes
      */
     public static float entry(
             float[] hierarchy,
@@ -43,21 +56,17 @@ public final class NodeBox {
             float originZ,
             float inverseX,
             float inverseY,
-            float inverseZ) {
-        float x = hierarchy[node + Layout.NODE_CENTER] - originX;
-        float y = hierarchy[node + Layout.NODE_CENTER + 1] - originY;
-        float z = hierarchy[node + Layout.NODE_CENTER + 2] - originZ;
-        float growth = GROWTH * (Math.abs(x) + Math.abs(y) + Math.abs(z));
-        float middleX = x * inverseX;
-        float middleY = y * inverseY;
-        float middleZ = z * inverseZ;
+            float inverseZ,
+            float growth) {
+        float middleX = (hierarchy[node + Layout.NODE_CENTER] - originX) * inverseX;
+        float middleY = (hierarchy[node + Layout.NODE_CENTER + 1] - originY) * inverseY;
+        float middleZ = (hierarchy[node + Layout.NODE_CENTER + 2] - originZ) * inverseZ;
         float halfX = (hierarchy[node + Layout.NODE_HALF] + growth) * Math.abs(inverseX);
         float halfY = (hierarchy[node + Layout.NODE_HALF + 1] + growth) * Math.abs(inverseY);
         float halfZ = (hierarchy[node + Layout.NODE_HALF + 2] + growth) * Math.abs(inverseZ);
-        float in = larger(larger(middleX - halfX, middleY - halfY), middleZ - halfZ);
-        float out = smaller(smaller(middleX + halfX, middleY + halfY), middleZ + halfZ);
-        int met = (in <= out ? 1 : 0) & (out >= 0f ? 1 : 0);
-        return met != 0 ? in : PASSED;
+        float in = Math.max(Math.max(middleX - halfX, middleY - halfY), middleZ - halfZ);
+        float out = Math.min(Math.min(middleX + halfX, middleY + halfY), middleZ + halfZ);
+        return Math.max(in, 0f) <= out ? in : PASSED;
     }
 
     /**
@@ -94,18 +103,10 @@ public final class NodeBox {
         float halfX = (sideX + growth) * Math.abs(inverseX);
         float halfY = (sideY + growth) * Math.abs(inverseY);
         float halfZ = (sideZ + growth) * Math.abs(inverseZ);
-        float in = larger(larger(middleX - halfX, middleY - halfY), middleZ - halfZ);
-        float out = smaller(smaller(middleX + halfX, middleY + halfY), middleZ + halfZ);
+        float in = Math.max(Math.max(middleX - halfX, middleY - halfY), middleZ - halfZ);
+        float out = Math.min(Math.min(middleX + halfX, middleY + halfY), middleZ + halfZ);
         float nearSide = along - alongHalf;
         int met = (farSide > 0f ? 1 : 0) & (nearSide < distance * Shadow.RELATIVE_MARGIN ? 1 : 0) & (in <= out ? 1 : 0);
         return met != 0 ? nearSide : PASSED;
-    }
-
-    private static float larger(float a, float b) {
-        return a > b ? a : b;
-    }
-
-    private static float smaller(float a, float b) {
-        return a < b ? a : b;
     }
 }
