@@ -11,13 +11,25 @@ final class MeshShadow {
      * @param path {@link Layout#PATH_LENGTH} floats, with the disc's axes
      */
     static int mayBlock(float[] path, float[] scratch, float[] frame, float[] bodies, int variant) {
-        float inverseX = NodeBox.inverse(path[Layout.TO_LIGHT]);
-        float inverseY = NodeBox.inverse(path[Layout.TO_LIGHT + 1]);
-        float inverseZ = NodeBox.inverse(path[Layout.TO_LIGHT + 2]);
+        float axisX = path[Layout.TO_LIGHT];
+        float axisY = path[Layout.TO_LIGHT + 1];
+        float axisZ = path[Layout.TO_LIGHT + 2];
+        float tangent = path[Layout.DISC_TANGENT];
+        float spreadX = NodeBox.spread(axisY, axisZ, tangent);
+        float spreadY = NodeBox.spread(axisZ, axisX, tangent);
+        float spreadZ = NodeBox.spread(axisX, axisY, tangent);
+        float leastX = NodeBox.inverse(axisX - spreadX);
+        float leastY = NodeBox.inverse(axisY - spreadY);
+        float leastZ = NodeBox.inverse(axisZ - spreadZ);
+        float mostX = NodeBox.inverse(axisX + spreadX);
+        float mostY = NodeBox.inverse(axisY + spreadY);
+        float mostZ = NodeBox.inverse(axisZ + spreadZ);
+        float end = path[Layout.LIGHT_DISTANCE] * Shadow.RELATIVE_MARGIN;
         int nodes = (int) frame[Layout.INSTANCES] + 1;
         Aspect.count(path, Aspect.TESTS, 1, variant);
-        float rootEntry = NodeBox.coneEntry(path, bodies, nodes, inverseX, inverseY, inverseZ);
-        int node = rootEntry < NodeBox.PASSED ? nodes : Layout.NO_NODE;
+        float growth = NodeBox.coneGrowth(path, bodies, nodes);
+        float rootEntry = NodeBox.coneEntry(path, bodies, nodes, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
+        int node = rootEntry < end ? nodes : Layout.NO_NODE;
         int waiting = 0;
         int met = 0;
         while (node != Layout.NO_NODE) {
@@ -26,15 +38,17 @@ final class MeshShadow {
                 Aspect.count(path, Aspect.TESTS, 2, variant);
                 int child = nodes + Layout.NODE_STRIDE * (int) bodies[node + Layout.NODE_LINK];
                 int other = child + Layout.NODE_STRIDE;
-                float first = NodeBox.coneEntry(path, bodies, child, inverseX, inverseY, inverseZ);
-                float second = NodeBox.coneEntry(path, bodies, other, inverseX, inverseY, inverseZ);
-                int both = (first < NodeBox.PASSED ? 1 : 0) & (second < NodeBox.PASSED ? 1 : 0);
+                float first =
+                        NodeBox.coneEntry(path, bodies, child, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
+                float second =
+                        NodeBox.coneEntry(path, bodies, other, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
+                int both = (first < end ? 1 : 0) & (second < end ? 1 : 0);
                 if (both != 0) {
                     scratch[Layout.SCRATCH_STACK + waiting] = (int) bodies[node + Layout.NODE_LINK] + 1;
                     waiting = waiting + 1;
                 }
-                int only = second < NodeBox.PASSED ? other : Layout.NO_NODE;
-                next = first < NodeBox.PASSED ? child : only;
+                int only = second < end ? other : Layout.NO_NODE;
+                next = first < end ? child : only;
             } else {
                 met = 1;
             }
