@@ -80,7 +80,7 @@ public final class Hit {
         int hit = first;
         int lights = (int) frame[Layout.LIGHTS];
         for (int index = 1; index < lights; index++) {
-            int light = SeveralLights.body(index, frame);
+            int light = LightBody.at(index, frame);
             int place = Layout.PLACE_STRIDE * light;
             float distance = Intersection.sphere(
                     bodies[place] - path[Layout.ORIGIN],
