@@ -10,6 +10,7 @@ import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.format.SceneWriter;
@@ -38,8 +39,18 @@ public final class SceneBuilder {
         return this;
     }
 
+    /** The only light. */
     public SceneBuilder light(Light light) {
-        scene = scene.withLights(Lights.of(light));
+        return lights(List.of(light));
+    }
+
+    /**
+     * All lights.
+     *
+     * @throws IllegalArgumentException unless there are 1 to {@value SceneLimits#MAX_LIGHTS}
+     */
+    public SceneBuilder lights(List<Light> lights) {
+        scene = scene.withLights(new Lights(lights));
         return this;
     }
 
@@ -54,7 +65,7 @@ public final class SceneBuilder {
         return this;
     }
 
-    /** Adds the triangles of a file. */
+    /** Adds triangles: those of a file, or of a {@link dev.twister.scene.Shape}, by {@link Mesh#of}. */
     public SceneBuilder mesh(Mesh mesh) {
         meshes.add(mesh);
         return this;

@@ -5,7 +5,6 @@ import dev.twister.explain.PathJson;
 import dev.twister.explain.PathText;
 import dev.twister.explain.PixelPath;
 import dev.twister.image.PictureSize;
-import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
@@ -31,6 +30,7 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  twister explain teaching --pixel 640,360",
             "  twister explain glass --pixel 640,400 --samples 8 --sample 3 --json",
+            "  twister explain weekend --pixel 600,400 --sample 5",
             "  twister explain teaching --pixel 160,90 --size 320x180 --shadow-samples 1 --bounces 0"
         })
 final class ExplainCommand implements Callable<Integer> {
@@ -89,10 +89,6 @@ final class ExplainCommand implements Callable<Integer> {
         Ranges.check("--pixel's column", pixel.column(), 0, settings.width() - 1);
         Ranges.check("--pixel's row", pixel.row(), 0, settings.height() - 1);
         Ranges.check("--sample", sample, 0, settings.samplesPerPixel() - 1);
-        if (settings.integrator() == Integrator.PATH) {
-            throw new BadInputException(
-                    "explain prints the rays of the integrator whitted; the scene has path: add --integrator whitted");
-        }
         World world = SkyFiles.world(scene, spec.commandLine().getErr());
         world.setCamera(camera.over(scene));
         world.setSettings(settings);
@@ -105,7 +101,7 @@ final class ExplainCommand implements Callable<Integer> {
             out.print(PathText.of(path));
             out.flush();
         }
-        return Main.OK;
+        return ExitCode.OK;
     }
 
     private Rendering settings(Rendering usual) {

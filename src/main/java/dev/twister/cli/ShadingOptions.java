@@ -24,8 +24,7 @@ final class ShadingOptions {
             names = "--integrator",
             paramLabel = "NAME",
             completionCandidates = Completions.OfIntegrator.class,
-            description =
-                    "How light is followed: whitted (reflections and one light's shadows) or path (path tracing).")
+            description = "How light is followed: whitted (reflections and shadows) or path (path tracing).")
     private Optional<Integrator> integrator = Optional.empty();
 
     @Option(

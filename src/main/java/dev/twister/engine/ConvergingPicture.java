@@ -1,5 +1,6 @@
 package dev.twister.engine;
 
+import dev.twister.engine.NoiseEstimate.Half;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.kernel.Layout;
@@ -7,10 +8,7 @@ import dev.twister.kernel.Tone;
 import dev.twister.world.FrameInput;
 import java.util.function.Consumer;
 
-/**
- * A picture that accumulates samples until its noise is low. The samples form two independent halves. Half their
- * difference is the standard error of the mean, which is the picture. The noise is measured in display values.
- */
+/** A picture that accumulates samples until its noise is low, see {@link NoiseEstimate}. */
 public final class ConvergingPicture {
     private static final int CHANNELS = 3;
 
@@ -22,9 +20,6 @@ public final class ConvergingPicture {
 
     /** A pass adds at least this part of the samples so far. */
     private static final double LEAST_GROWTH = 0.125;
-
-    /** Side of the square blocks, in pixels; the noise of the noisiest block counts. */
-    private static final int BLOCK = 16;
 
     private final FrameInput input;
     private final Frame pass;
@@ -109,33 +104,8 @@ public final class ConvergingPicture {
     }
 
     private double noise() {
-        double worst = 0;
-        for (int top = 0; top < pass.height(); top += BLOCK) {
-            for (int left = 0; left < pass.width(); left += BLOCK) {
-                worst = Math.max(worst, meanSquare(left, top));
-            }
-        }
-        return Math.sqrt(worst);
-    }
-
-    private double meanSquare(int left, int top) {
-        int right = Math.min(left + BLOCK, pass.width());
-        int bottom = Math.min(top + BLOCK, pass.height());
-        double sum = 0;
-        for (int row = top; row < bottom; row++) {
-            int end = CHANNELS * (row * pass.width() + right);
-            for (int i = CHANNELS * (row * pass.width() + left); i < end; i++) {
-                double error = (shown(sums[0][i]) - shown(sums[1][i])) / 2;
-                sum += error * error;
-            }
-        }
-        return sum / (CHANNELS * (right - left) * (bottom - top));
-    }
-
-    private float shown(float sum) {
-        float[] values = input.view().frame();
-        return Tone.shown(
-                sum / samplesOfHalf, values[Layout.EXPOSURE_SCALE], (int) values[Layout.TONE_MAP], values[Layout.SRGB]);
+        return new NoiseEstimate(pass.width(), input.view().frame())
+                .of(new Half(sums[0], samplesOfHalf), new Half(sums[1], samplesOfHalf));
     }
 
     private void write(Frame frame) {

@@ -9,27 +9,30 @@ import dev.twister.world.FrameInput;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The shadow rays of a surface point, one by one. */
+/** The shadow rays from a surface point to a light, one by one. */
 final class LightSamples {
     private final FrameInput input;
     private final int own;
+    private final int light;
     private final float[] path;
     private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
 
-    private LightSamples(FrameInput input, float[] path, int own) {
+    private LightSamples(FrameInput input, float[] path, int own, int light) {
         this.input = input;
         this.own = own;
+        this.light = light;
         this.path = path.clone();
     }
 
     /**
      * All rays from the path's point.
      *
-     * @param path after {@link dev.twister.kernel.Path#meet}; stays as it is
+     * @param path after {@link dev.twister.kernel.SeveralLights#choose}; stays as it is
      * @param own the body that the point lies on
+     * @param light the light's body
      */
-    static List<LightSample> of(FrameInput input, float[] path, int own) {
-        LightSamples rays = new LightSamples(input, path, own);
+    static List<LightSample> of(FrameInput input, float[] path, int own, int light) {
+        LightSamples rays = new LightSamples(input, path, own, light);
         List<LightSample> all = new ArrayList<>();
         for (int sample = 0; sample < input.shadowSamples(); sample++) {
             all.add(rays.ray(sample));
@@ -39,7 +42,7 @@ final class LightSamples {
 
     private LightSample ray(int sample) {
         Bodies bodies = input.bodies();
-        float light = ShadowRay.light(
+        float reaching = ShadowRay.light(
                 path,
                 own,
                 sample,
@@ -55,12 +58,12 @@ final class LightSamples {
                 path[Layout.POINT] + way[0] + origin.x(),
                 path[Layout.POINT + 1] + way[1] + origin.y(),
                 path[Layout.POINT + 2] + way[2] + origin.z());
-        return new LightSample(target, light, light < 1 ? blocker(way) : Layout.NOTHING);
+        return new LightSample(target, reaching, reaching < 1 ? blocker(way) : Layout.NOTHING);
     }
 
     /** From the point to a sample of the disc, which the kernel has just faced. */
     private float[] way(int sample) {
-        float discRadius = 2 * input.bodies().size(Layout.LIGHT);
+        float discRadius = 2 * input.bodies().size(light);
         float u = input.view().frame()[Layout.DISC + 2 * sample] * discRadius;
         float w = input.view().frame()[Layout.DISC + 2 * sample + 1] * discRadius;
         float distance = path[Layout.LIGHT_DISTANCE];
@@ -88,7 +91,7 @@ final class LightSamples {
                 input.bodies().looks(),
                 input.bodies().meshes(),
                 input.variant(false));
-        boolean between = body >= Layout.PLANE && ray[Layout.DISTANCE] < length;
+        boolean between = body != Layout.NOTHING && !input.isLight(body) && ray[Layout.DISTANCE] < length;
         return between ? body : Layout.NOTHING;
     }
 }

@@ -1,5 +1,6 @@
 package dev.twister.explain;
 
+import dev.twister.explain.Scattering.LobeChoice;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
@@ -20,6 +21,9 @@ public final class PathJson {
         tree.put("pixel", List.of(path.column(), path.row()));
         tree.put("sample", path.sample());
         tree.put("samples", path.samples());
+        if (path.lights().size() > 1) {
+            tree.put("lights", path.lights());
+        }
         tree.put("steps", steps(path.steps()));
         tree.put("sampleRadiance", rgb(path.radiance()));
         tree.put("pixelRadiance", rgb(path.pixel()));
@@ -49,10 +53,49 @@ public final class PathJson {
                 tree.put("distance", number(step.distance()));
             }
             step.shading().ifPresent(shading -> tree.put("surface", surface(shading)));
+            step.light().ifPresent(light -> tree.put("light", light(light)));
+            step.scattering().ifPresent(scattering -> tree.put("scattering", scattering(scattering)));
             tree.put("adds", rgb(step.adds()));
             list.add(tree);
         }
         return list;
+    }
+
+    private static Map<String, Object> light(FoundLight light) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("radiance", rgb(light.radiance()));
+        tree.put("surfaceDensity", number(light.surfaceDensity()));
+        tree.put("emitterDensity", number(light.emitterDensity()));
+        tree.put("weight", number(light.weight()));
+        return tree;
+    }
+
+    private static Map<String, Object> scattering(Scattering scattering) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("point", vector(scattering.point()));
+        tree.put("normal", vector(scattering.normal()));
+        tree.put("albedo", rgb(scattering.albedo()));
+        tree.put("roughness", number(scattering.roughness()));
+        tree.put("mirrorProbability", number(scattering.mirror()));
+        tree.put("matteProbability", number(scattering.matte()));
+        tree.put("glassProbability", number(scattering.glass()));
+        scattering.emitter().ifPresent(emitter -> {
+            tree.put("emitter", emitter.body());
+            tree.put("emitterProbability", number(emitter.probability()));
+        });
+        scattering.next().ifPresent(next -> tree.put("next", lobe(next)));
+        return tree;
+    }
+
+    private static Map<String, Object> lobe(LobeChoice lobe) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("ray", lobe.kind().id());
+        tree.put("probability", number(lobe.probability()));
+        tree.put("surfaceDensity", number(lobe.density()));
+        tree.put("factor", rgb(lobe.factor()));
+        tree.put("survival", number(lobe.survival()));
+        tree.put("goesOn", lobe.goesOn());
+        return tree;
     }
 
     private static Map<String, Object> surface(ShadedSurface shading) {
@@ -65,18 +108,37 @@ public final class PathJson {
         if (shading.ior() > 0) {
             tree.put("ior", number(shading.ior()));
         }
-        tree.put("toLight", vector(shading.toLight()));
-        tree.put("normalDotLight", number(shading.normalDotLight()));
-        tree.put("visible", number(shading.visible()));
         tree.put("lit", number(shading.lit()));
-        tree.put("specular", number(shading.specular()));
         tree.put("mirror", number(shading.mirror()));
         tree.put("transmission", number(shading.transmission()));
         tree.put("reflectance", number(shading.reflectance()));
+        shading.onlyLight()
+                .ifPresentOrElse(
+                        light -> put(tree, light),
+                        () -> tree.put(
+                                "lights",
+                                shading.lights().stream().map(PathJson::light).toList()));
+        return tree;
+    }
+
+    private static Map<String, Object> light(LightPart light) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("light", light.light());
+        put(tree, light);
+        return tree;
+    }
+
+    private static void put(Map<String, Object> tree, LightPart light) {
+        tree.put("toLight", vector(light.toLight()));
+        tree.put("normalDotLight", number(light.normalDotLight()));
+        tree.put("visible", number(light.visible()));
+        if (light.share() != 1) {
+            tree.put("share", number(light.share()));
+        }
+        tree.put("specular", number(light.specular()));
         tree.put(
                 "shadowRays",
-                shading.shadowRays().stream().map(PathJson::shadowRay).toList());
-        return tree;
+                light.shadowRays().stream().map(PathJson::shadowRay).toList());
     }
 
     private static Map<String, Object> shadowRay(LightSample ray) {

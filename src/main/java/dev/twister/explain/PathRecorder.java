@@ -41,7 +41,7 @@ final class PathRecorder {
         while (goesOn) {
             float[] met = path.clone();
             int body = find(met);
-            Optional<SurfaceRecorder> surface = body >= Layout.PLANE
+            Optional<SurfaceRecorder> surface = body != Layout.NOTHING && !input.isLight(body)
                     ? Optional.of(new SurfaceRecorder(input, met, scratch, body))
                     : Optional.empty();
             int waiting = waiting();
@@ -117,6 +117,8 @@ final class PathRecorder {
                 body,
                 body == Layout.NOTHING ? 0 : ray[Layout.DISTANCE],
                 shading,
+                Optional.empty(),
+                Optional.empty(),
                 adds);
     }
 }

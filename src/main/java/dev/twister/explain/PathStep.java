@@ -15,9 +15,11 @@ import java.util.Optional;
  * @param inside whether it goes through the inside of a transparent body
  * @param throughput what part of the radiance it finds reaches the pixel
  * @param body what it meets, as view {@code body} numbers it: {@link Layout#NOTHING} is the sky, {@link Layout#LIGHT}
- *     and {@link Layout#PLANE} are what they say, spheres follow
+ *     the first light, {@link Layout#PLANE} the plane, spheres follow
  * @param distance in meters; 0 where it meets nothing
- * @param shading of the surface it meets; none for the light and the sky
+ * @param shading of the surface it meets; none for a light and the sky, and in path tracing
+ * @param light found in path tracing
+ * @param scattering at the surface in path tracing
  * @param adds radiance that the step adds to the pixel's sample
  */
 public record PathStep(
@@ -31,16 +33,8 @@ public record PathStep(
         int body,
         double distance,
         Optional<ShadedSurface> shading,
+        Optional<FoundLight> light,
+        Optional<Scattering> scattering,
         Rgb adds) {
     public static final int NO_PARENT = -1;
-
-    /** Such as {@code sky}, {@code light}, {@code plane} or {@code body 5}. */
-    public static String bodyName(int body) {
-        return switch (body) {
-            case Layout.NOTHING -> "sky";
-            case Layout.LIGHT -> "light";
-            case Layout.PLANE -> "plane";
-            default -> "body " + body;
-        };
-    }
 }

@@ -3,11 +3,14 @@ package dev.twister.explain;
 import dev.twister.engine.JvmKernel;
 import dev.twister.image.Frame;
 import dev.twister.kernel.Aspect;
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.Variant;
 import dev.twister.scene.Rgb;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Picture;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.IntStream;
 
 /**
  * The path of one sample of a pixel, as the kernel follows it.
@@ -16,13 +19,24 @@ import java.util.Objects;
  * @param row from 0 at the top
  * @param sample from 0
  * @param samples of the pixel
+ * @param lights the lights' bodies
+ * @param isTraced whether the integrator is {@code path}
  * @param steps in the order in which the kernel follows the rays; the view ray is the first
  * @param radiance of the sample: what the steps add, as floats added one after the other
  * @param pixel the mean of all samples' radiance
  * @param argb the pixel as it is shown, 0xAARRGGBB
  */
 public record PixelPath(
-        int column, int row, int sample, int samples, List<PathStep> steps, Rgb radiance, Rgb pixel, int argb) {
+        int column,
+        int row,
+        int sample,
+        int samples,
+        List<Integer> lights,
+        boolean isTraced,
+        List<PathStep> steps,
+        Rgb radiance,
+        Rgb pixel,
+        int argb) {
     /**
      * Follows a sample's path; of the picture itself, where the input is of a view.
      *
@@ -34,7 +48,9 @@ public record PixelPath(
         Objects.checkIndex(sample, input.samplesPerPixel());
         FrameInput full = input.aspect() == Aspect.FULL ? input : input.showing(Picture.BEAUTY);
         FrameInput band = full.band(row, 1);
-        List<PathStep> steps = new PathRecorder(band).record(column, sample);
+        boolean traced = (band.variant(false) & Variant.PATH) != 0;
+        List<PathStep> steps =
+                traced ? new TraceRecorder(band).record(column, sample) : new PathRecorder(band).record(column, sample);
         Frame linear = Frame.ofRadiance(input.width(), 1);
         Frame shown = Frame.ofPixels(input.width(), 1);
         new JvmKernel().drawRow(band, linear, 0, column, column + 1);
@@ -44,10 +60,23 @@ public record PixelPath(
                 row,
                 sample,
                 input.samplesPerPixel(),
+                IntStream.range(0, input.lights()).mapToObj(input::light).toList(),
+                traced,
                 steps,
                 sum(steps),
                 Floats.rgb(linear.radiance(), 3 * column),
                 shown.argb()[column]);
+    }
+
+    /** Such as {@code sky}, {@code light}, {@code light 2}, {@code plane} or {@code body 5}. */
+    public String bodyName(int body) {
+        int light = lights.indexOf(body);
+        return switch (body) {
+            case Layout.NOTHING -> "sky";
+            case Layout.LIGHT -> "light";
+            case Layout.PLANE -> "plane";
+            default -> light > 0 ? "light " + (light + 1) : "body " + body;
+        };
     }
 
     /** Red (0), green (1) or blue (2) of the pixel as it is shown, in [0, 255]. */

@@ -7,7 +7,11 @@ public enum RayKind {
     /** From the camera. */
     VIEW,
     REFLECTED,
-    REFRACTED;
+    REFRACTED,
+    /** By a matte surface, in path tracing. */
+    SCATTERED,
+    /** To a chosen emitter, in path tracing. */
+    EMITTER;
 
     /** Its name in texts and files, such as {@code reflected}. */
     public String id() {

@@ -4,10 +4,12 @@ import dev.twister.kernel.Illumination;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Path;
 import dev.twister.kernel.Refraction;
+import dev.twister.kernel.SeveralLights;
 import dev.twister.kernel.Shadow;
 import dev.twister.scene.Vector3;
 import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
+import java.util.ArrayList;
 import java.util.List;
 
 /** One surface of a path, as the path's ray meets it. */
@@ -15,7 +17,7 @@ final class SurfaceRecorder {
     private final FrameInput input;
     private final float[] path;
     private final int body;
-    private final float visible;
+    private final List<LightPart> lights = new ArrayList<>();
 
     /**
      * Lets the kernel find the surface.
@@ -30,7 +32,26 @@ final class SurfaceRecorder {
         Bodies bodies = input.bodies();
         int variant = input.variant(false);
         Path.meet(path, body, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.images(), variant);
-        visible = Path.visible(path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
+        for (int light = 0; light < input.lights(); light++) {
+            SeveralLights.choose(path, input.light(light), bodies.floats());
+            lights.add(part(light, scratch));
+        }
+    }
+
+    /** Of the light that the path is aimed at. */
+    private LightPart part(int light, float[] scratch) {
+        float[] frame = input.view().frame();
+        Bodies bodies = input.bodies();
+        float visible = Path.visible(
+                path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.variant(false));
+        return new LightPart(
+                light,
+                Floats.vector(path, Layout.TO_LIGHT),
+                path[Layout.NORMAL_DOT_LIGHT],
+                visible,
+                bodies.looks()[Layout.LOOK_STRIDE * input.light(light) + Layout.LOOK_SHARE],
+                Illumination.highlight(path, visible),
+                shadowRays(input.light(light)));
     }
 
     /** Of a ray that begins at the surface: a refracted one goes on to the side that the ray did not come from. */
@@ -52,15 +73,20 @@ final class SurfaceRecorder {
                 path[Layout.REFLECTIVITY],
                 path[Layout.ROUGHNESS],
                 path[Layout.IOR],
-                Floats.vector(path, Layout.TO_LIGHT),
-                path[Layout.NORMAL_DOT_LIGHT],
-                visible,
-                Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible),
-                Illumination.highlight(path, visible),
+                List.copyOf(lights),
+                lit(frame[Layout.AMBIENT]),
                 Path.mirror(path, frame),
                 transmission,
-                transmission > 0 ? reflectance(after) : 0,
-                shadowRays());
+                transmission > 0 ? reflectance(after) : 0);
+    }
+
+    /** As the kernel adds it up. */
+    private float lit(float ambient) {
+        float sum = 0;
+        for (LightPart light : lights) {
+            sum += (float) light.share() * Math.max(0, (float) light.normalDotLight()) * (float) light.visible();
+        }
+        return Math.max(sum, ambient);
     }
 
     private float reflectance(float[] after) {
@@ -69,10 +95,11 @@ final class SurfaceRecorder {
         return Refraction.reflectance(cosine, path[Layout.FROM_INSIDE] > 0 ? ior : 1 / ior);
     }
 
-    private List<LightSample> shadowRays() {
+    private List<LightSample> shadowRays(int light) {
         float[] frame = input.view().frame();
-        int traced = Path.isShaded(path, frame, input.variant(false)) & Shadow.matters(path, frame);
-        return traced == 0 ? List.of() : LightSamples.of(input, path, body);
+        int variant = input.variant(false);
+        int traced = Path.isShaded(path, frame, variant) & Shadow.matters(path, frame, variant);
+        return traced == 0 ? List.of() : LightSamples.of(input, path, body, light);
     }
 
     private static float dot(float[] a, int atA, float[] b, int atB) {

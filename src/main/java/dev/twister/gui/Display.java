@@ -11,7 +11,7 @@ final class Display {
     /**
      * Looks before JavaFX does, which would end with a stack trace on its own thread.
      *
-     * @throws NoDisplayException where it is plain that there is no screen
+     * @throws NoDisplayException if there is certainly no screen
      */
     static void check() {
         boolean unix =

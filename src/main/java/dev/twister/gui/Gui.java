@@ -29,15 +29,15 @@ public final class Gui {
      * Shows the window and returns when it has been closed.
      *
      * @param opened shown first
-     * @param asked whether it was asked for by name, and is to be among the recent ones
-     * @param engine the id of what draws first; where it is not said, the one that was chosen last in the window
-     * @param shipped what is offered and not written to
-     * @throws NoDisplayException where there is no screen
+     * @param asked whether the user named it, so that it is listed among recent scenes
+     * @param engine the id of the first engine; empty for the one last chosen in the window
+     * @param shipped the scenes that are offered and never overwritten
+     * @throws NoDisplayException if there is no screen
      */
     public static void run(OpenedScene opened, boolean asked, Optional<String> engine, ShippedFolders shipped) {
         Display.check();
         Language.choose();
-        // The readers of PNG and JPEG skies are AWT's, which must not open a display of its own beside JavaFX's.
+        // PNG and JPEG skies are read by AWT, which must not open a display besides JavaFX's.
         System.setProperty("java.awt.headless", "true");
         Logger logger = Logger.getLogger("javafx");
         logger.setFilter(record -> !String.valueOf(record.getMessage()).startsWith(CLASS_PATH_NOTICE));

@@ -9,13 +9,13 @@ import java.util.function.LongSupplier;
  * the computer's memory, which is there for large scenes. Used by JavaFX's thread.
  */
 final class HeapKeeper {
-    /** Below that the JVM has its way. */
+    /** Heaps smaller than this are left to the JVM. */
     static final long SMALL_BYTES = 400L << 20;
 
-    /** That it may become where somebody is at work all the time, who would notice the pause. */
+    /** The factor of growth at which garbage is collected even while the user works and would notice the pause. */
     private static final double LATEST = 1.5;
 
-    /** What is garbage by then, at least, is as much as what lives. */
+    /** The factor of growth at which at least half of the heap is garbage. */
     private static final double GROWTH = 2;
 
     private static final long LOOK_NANOS = TimeUnit.SECONDS.toNanos(1);
@@ -33,7 +33,7 @@ final class HeapKeeper {
     /**
      * One of another heap than this JVM's.
      *
-     * @param usedBytes what is used of it, garbage included
+     * @param usedBytes the used part of the heap, garbage included
      * @param collect returns when that is collected
      */
     HeapKeeper(LongSupplier usedBytes, Runnable collect) {
@@ -44,8 +44,8 @@ final class HeapKeeper {
     /**
      * Called in every pulse.
      *
-     * @param resting whether nothing is drawn, so that nobody notices a pause
-     * @return what collects now, where that is due
+     * @param resting whether nothing is drawn, so that a pause is not noticed
+     * @return the task that collects, if collecting is due
      */
     Optional<Thread> pulse(long nanos, boolean resting) {
         if (collecting || nanos - lookedNanos < LOOK_NANOS) {

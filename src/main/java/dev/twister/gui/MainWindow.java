@@ -15,7 +15,7 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.paint.Color;
 import javafx.stage.Stage;
 
-/** The window: the picture in the middle, and around it what is said of it. */
+/** The window: the picture in the center, with the menu, panel and status line around it. */
 public final class MainWindow implements AutoCloseable {
     private static final double WIDTH = 1280;
     private static final double HEIGHT = 760;

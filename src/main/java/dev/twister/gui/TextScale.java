@@ -10,8 +10,8 @@ import java.util.concurrent.TimeUnit;
 import javafx.scene.text.Font;
 
 /**
- * How much larger than usual a person wants text. JavaFX follows the size of a screen's pixels by itself, and the size
- * of text on Windows; the factor that GNOME and its relatives have for text alone it does not know.
+ * The user's text scale. JavaFX follows the screen's pixel density and the text size of Windows by itself, but not the
+ * text scaling factor of GNOME.
  */
 final class TextScale {
     static final double USUAL = 1;
@@ -24,7 +24,7 @@ final class TextScale {
 
     private TextScale() {}
 
-    /** Of this system; {@link #USUAL} where it does not say. */
+    /** This system's factor; {@link #USUAL} if it has none. */
     static double ofSystem() {
         return isGnomePossible() ? ask().flatMap(TextScale::parse).orElse(USUAL) : USUAL;
     }

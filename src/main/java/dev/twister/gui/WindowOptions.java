@@ -8,14 +8,14 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * What a window needs from outside.
+ * The dependencies of a window.
  *
- * @param files asks for files
- * @param settings where the window's settings are kept
- * @param found what was kept there
- * @param autosaves where unsaved edits are kept
- * @param shipped what is offered and not written to
- * @param asked the scene's file, where it was asked for by name
+ * @param files the file dialogs
+ * @param settings the store of the window's settings
+ * @param found the settings read from the store
+ * @param autosaves the store of unsaved edits
+ * @param shipped the scenes that are offered and never overwritten
+ * @param asked the scene's file, if the user named it
  * @param textScale how much larger than usual text is, above 0
  */
 record WindowOptions(

@@ -58,7 +58,7 @@ import javafx.stage.WindowEvent;
 
 /** Menu, panel, dialogs, and what is kept between runs: all of the window around the picture. */
 final class Workbench implements AutoCloseable {
-    /** For the picture, beside the panel where it is shown. */
+    /** The width left for the picture when the panel is shown. */
     private static final double LEAST_PICTURE = 240;
 
     private static final double LEAST_HEIGHT = 240;
@@ -139,7 +139,7 @@ final class Workbench implements AutoCloseable {
                                 .set(!clipping.shownProperty().get()));
         panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, actions);
         panel.foldAsKept(settings);
-        menu = new MenuView(studio, settings, files, actions);
+        menu = new MenuView(studio, settings, files, actions, bodies::insert);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
         menu.check(Command.INSPECT, inspector.visibleProperty());
         menu.check(Command.COMPARE, comparison.modeProperty().map(mode -> mode != Mode.OFF));
@@ -226,8 +226,8 @@ final class Workbench implements AutoCloseable {
     }
 
     /**
-     * Waits for a recording's last frames, and for what else a person wants to keep; called after {@link #close}, by
-     * any thread.
+     * Waits until a recording's last frames and all other files are written; called after {@link #close}, by any
+     * thread.
      */
     void awaitFiles() {
         pictures.close();
@@ -275,6 +275,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.REDO_ALSO, studio::redo)
                 .on(Command.INSERT, bodies::insert)
                 .on(Command.INSERT_MESH, assets::insertMesh)
+                .on(Command.INSERT_LIGHT, bodies::insertLight)
                 .on(Command.DUPLICATE, bodies::duplicate)
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)

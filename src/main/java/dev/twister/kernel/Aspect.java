@@ -27,11 +27,12 @@ public final class Aspect {
     public static final int DEPTH = 6;
 
     /**
-     * The body's number: 0 for the light, 1 for the plane, from 2 on the spheres; {@link Layout#NOTHING} for a miss.
+     * The body's number: 0 for the first light, 1 for the plane, from 2 on the spheres, including those not poured yet,
+     * then the other lights, then the meshes; {@link Layout#NOTHING} for a miss.
      */
     public static final int BODY = 7;
 
-    /** S, also for points that face away from the light; 1 for the light and for a miss. */
+    /** S, also for points that face away from the light; its mean over several lights; 1 for a light and for a miss. */
     public static final int SHADOW = 8;
 
     /** Views that count along the whole path. This one: the reflected and refracted rays. */

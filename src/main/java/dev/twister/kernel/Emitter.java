@@ -19,15 +19,14 @@ public final class Emitter {
      * @param path {@link Layout#TRACED_PATH_LENGTH} floats
      * @param bounce number of surfaces that the path has left before
      */
-    static void choose(
+    public static void choose(
             float[] path, int bounce, float[] frame, float[] bodies, float[] looks, float[] meshes, float[] images) {
         path[Layout.LIGHT_DENSITY] = 0f;
         if (frame[Layout.EMITTERS] > 0f) {
             int place = Noise.emitter(bounce);
-            float number = Noise.fresh(path, place, frame);
             float first = Noise.fresh(path, place + 1, frame);
             float second = Noise.fresh(path, place + 2, frame);
-            int emitter = find(number, frame, looks);
+            int emitter = chosen(path, bounce, frame, looks);
             int body = (int) looks[emitter + Layout.EMITTER_BODY];
             if (body == Layout.NOTHING) {
                 towardSky(path, first, second, frame, images);
@@ -48,8 +47,13 @@ public final class Emitter {
         }
     }
 
-    /** Place of the emitter whose part of [0, 1) holds the number. */
-    private static int find(float number, float[] frame, float[] looks) {
+    /**
+     * Place in {@code looks} of the emitter that {@link #choose} chooses.
+     *
+     * @param bounce number of surfaces that the path has left before
+     */
+    public static int chosen(float[] path, int bounce, float[] frame, float[] looks) {
+        float number = Noise.fresh(path, Noise.emitter(bounce), frame);
         int start = (int) frame[Layout.EMITTER_TABLE];
         int low = 0;
         int high = (int) frame[Layout.EMITTERS] - 1;
@@ -161,7 +165,7 @@ public final class Emitter {
      *
      * @param path after {@link Surface#find} and {@link Surface#face}
      */
-    static int shines(float[] path, int body, float[] frame, float[] looks, int variant) {
+    public static int shines(float[] path, int body, float[] frame, float[] looks, int variant) {
         float emission = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION]
                 + looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + 1]
                 + looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + 2];
@@ -175,7 +179,7 @@ public final class Emitter {
      * Density per steradian with which {@link #choose} takes the direction of the path's ray from its origin to the
      * body that it hits.
      */
-    static float density(float[] path, int body, float[] frame, float[] bodies, float[] looks, int variant) {
+    public static float density(float[] path, int body, float[] frame, float[] bodies, float[] looks, int variant) {
         int look = Layout.LOOK_STRIDE * body;
         int entry = (int) Math.abs(looks[look + Layout.LOOK_EMITTER]);
         int emitter = (int) frame[Layout.EMITTER_TABLE] + Layout.EMITTER_STRIDE * (entry - 1);
@@ -199,7 +203,7 @@ public final class Emitter {
     }
 
     /** As above, for a ray that meets no body. */
-    static float skyDensity(float[] path, float[] frame, float[] looks, float[] images) {
+    public static float skyDensity(float[] path, float[] frame, float[] looks, float[] images) {
         float density = 0f;
         if (frame[Layout.SKY_EMITTER] > 0f) {
             int emitter =

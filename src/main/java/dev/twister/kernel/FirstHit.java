@@ -35,21 +35,28 @@ final class FirstHit {
             Path.meet(path, body, frame, bodies, looks, meshes, images, variant);
             float lit = 1f;
             float specular = 0f;
-            if (body >= Layout.PLANE) {
+            int isSurface = (body >= Layout.PLANE ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
+            if (isSurface != 0) {
                 int shaded = (aspect == Aspect.DIFFUSE ? 1 : 0) | (aspect == Aspect.HIGHLIGHTS ? 1 : 0);
-                lit = shaded != 0 ? Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], 1f) : 1f;
+                if (shaded != 0) {
+                    lit = lit(path, body, scratch, frame, bodies, looks, meshes, variant);
+                }
                 if (aspect == Aspect.HIGHLIGHTS) {
-                    specular = Illumination.highlight(path, 1f);
+                    specular = (variant & Variant.LIGHTS) != 0 ? 1f : Illumination.highlight(path, 1f);
                 }
                 if (aspect == Aspect.SHADOW) {
-                    number = Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
+                    number = visible(path, body, scratch, frame, bodies, looks, meshes, variant);
                 }
             }
             number = aspect == Aspect.DEPTH ? path[Layout.DISTANCE] : number;
-            int light = Layout.LOOK_STRIDE * Layout.LIGHT;
-            red = path[Layout.ALBEDO] * lit + looks[light] * specular;
-            green = path[Layout.ALBEDO + 1] * lit + looks[light + 1] * specular;
-            blue = path[Layout.ALBEDO + 2] * lit + looks[light + 2] * specular;
+            red = path[Layout.ALBEDO] * lit;
+            green = path[Layout.ALBEDO + 1] * lit;
+            blue = path[Layout.ALBEDO + 2] * lit;
+            if (specular > 0f) {
+                red = red + Scatter.highlight(path, 0, looks, variant) * specular;
+                green = green + Scatter.highlight(path, 1, looks, variant) * specular;
+                blue = blue + Scatter.highlight(path, 2, looks, variant) * specular;
+            }
             if (aspect == Aspect.NORMAL) {
                 red = 0.5f + 0.5f * path[Layout.NORMAL];
                 green = 0.5f + 0.5f * path[Layout.NORMAL + 1];
@@ -62,5 +69,42 @@ final class FirstHit {
         path[Layout.RADIANCE] = path[Layout.RADIANCE] + red;
         path[Layout.RADIANCE + 1] = path[Layout.RADIANCE + 1] + green;
         path[Layout.RADIANCE + 2] = path[Layout.RADIANCE + 2] + blue;
+    }
+
+    /** Without shadows; with several lights the path gets the sum of the highlights. */
+    private static float lit(
+            float[] path,
+            int body,
+            float[] scratch,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            int variant) {
+        float lit = 1f;
+        if ((variant & Variant.LIGHTS) != 0) {
+            lit = SeveralLights.shade(path, body, 0, scratch, frame, bodies, looks, meshes, variant);
+        } else {
+            lit = Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], 1f);
+        }
+        return lit;
+    }
+
+    private static float visible(
+            float[] path,
+            int body,
+            float[] scratch,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            int variant) {
+        float visible = 1f;
+        if ((variant & Variant.LIGHTS) != 0) {
+            visible = SeveralLights.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
+        } else {
+            visible = Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
+        }
+        return visible;
     }
 }

@@ -22,7 +22,7 @@ public final class Hit {
      *
      * @param limit in meters
      */
-    static int within(
+    public static int within(
             float[] path,
             float limit,
             float[] scratch,
@@ -40,6 +40,9 @@ public final class Hit {
                 variant);
         if ((variant & Variant.WALK) != 0) {
             body = onWalk(path, body, scratch, frame, bodies, looks, variant);
+        }
+        if ((variant & Variant.LIGHTS) != 0) {
+            body = amongLights(path, body, frame, bodies);
         }
         if ((variant & Variant.MESHES) != 0) {
             body = MeshHit.find(path, body, scratch, frame, bodies, meshes, variant);
@@ -69,6 +72,28 @@ public final class Hit {
             }
         }
         path[Layout.DISTANCE] = closest;
+        return hit;
+    }
+
+    /** The closest hit so far, or a closer one of the lights after the first. */
+    private static int amongLights(float[] path, int first, float[] frame, float[] bodies) {
+        int hit = first;
+        int lights = (int) frame[Layout.LIGHTS];
+        for (int index = 1; index < lights; index++) {
+            int light = LightBody.at(index, frame);
+            int place = Layout.PLACE_STRIDE * light;
+            float distance = Intersection.sphere(
+                    bodies[place] - path[Layout.ORIGIN],
+                    bodies[place + 1] - path[Layout.ORIGIN + 1],
+                    bodies[place + 2] - path[Layout.ORIGIN + 2],
+                    bodies[place + Layout.PLACE_SIZE],
+                    path[Layout.DIRECTION],
+                    path[Layout.DIRECTION + 1],
+                    path[Layout.DIRECTION + 2]);
+            int closer = distance < path[Layout.DISTANCE] ? 1 : 0;
+            hit = closer != 0 ? light : hit;
+            path[Layout.DISTANCE] = closer != 0 ? distance : path[Layout.DISTANCE];
+        }
         return hit;
     }
 

@@ -1,6 +1,6 @@
 package dev.twister.kernel;
 
-/** The light as a visible body and as illumination (Blinn-Phong, {@code shade(C) = C * lit + lightColor * spec}). */
+/** A light as a visible body and as illumination (Blinn-Phong, {@code shade(C) = C * lit + lightColor * spec}). */
 public final class Illumination {
     /** {@code 1 / (8 pi)}. */
     public static final float INVERSE_EIGHT_PI = 0.039788734f;
@@ -8,27 +8,29 @@ public final class Illumination {
     private Illumination() {}
 
     /**
-     * Adds the light's own color if the path ends at it.
+     * Adds a light's own color if the path ends at it.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
+     * @param light its body
      */
-    public static void add(float[] path, float[] looks) {
+    public static void add(float[] path, int light, float[] looks) {
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
-                    + path[Layout.THROUGHPUT + channel] * looks[Layout.LOOK_STRIDE * Layout.LIGHT + channel];
+                    + path[Layout.THROUGHPUT + channel] * looks[Layout.LOOK_STRIDE * light + channel];
         }
     }
 
     /**
-     * Writes the unit vector from {@link Layout#POINT} to the light's center, the distance in meters, and the cosine
-     * with the normal.
+     * Writes the unit vector from {@link Layout#POINT} to a light's center, the distance in meters, and the cosine with
+     * the normal.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
+     * @param light its body
      */
-    public static void aim(float[] path, float[] bodies) {
-        float x = bodies[Layout.PLACE_STRIDE * Layout.LIGHT] - path[Layout.POINT];
-        float y = bodies[Layout.PLACE_STRIDE * Layout.LIGHT + 1] - path[Layout.POINT + 1];
-        float z = bodies[Layout.PLACE_STRIDE * Layout.LIGHT + 2] - path[Layout.POINT + 2];
+    public static void aim(float[] path, int light, float[] bodies) {
+        float x = bodies[Layout.PLACE_STRIDE * light] - path[Layout.POINT];
+        float y = bodies[Layout.PLACE_STRIDE * light + 1] - path[Layout.POINT + 1];
+        float z = bodies[Layout.PLACE_STRIDE * light + 2] - path[Layout.POINT + 2];
         float distanceSquared = x * x + y * y + z * z;
         float inverse = KernelMath.inverseRoot(distanceSquared);
         x = x * inverse;

@@ -59,12 +59,12 @@ public final class Layout {
     public static final int FIRST_ROW = 31;
     public static final int ROWS = 32;
 
-    /** Number of bodies without meshes: light, plane and spheres. */
+    /** Number of bodies without meshes and without further lights: the first light, the plane and the spheres. */
     public static final int BODIES = 33;
 
     /**
      * The first mesh's body; it is 0 if there are no meshes. Meshes are numbered after all spheres, including those not
-     * poured yet.
+     * poured yet, and after the second and further lights, which come between them.
      */
     public static final int FIRST_MESH = 34;
 
@@ -89,16 +89,21 @@ public final class Layout {
     /** Place of the sky's table of probabilities in {@code images}, divided by {@value #ALIGNMENT}. */
     public static final int SKY_TABLE = 42;
 
+    /** Number of lights, and the second light's body; the others follow it. */
+    public static final int LIGHTS = 43;
+
+    public static final int SECOND_LIGHT = 44;
+
     /** Number of the first of the pixel's samples in the infinite sequence. */
-    public static final int FIRST_SAMPLE = 43;
+    public static final int FIRST_SAMPLE = 45;
 
     /** Place of the pixel's samples in {@code frame}. */
-    public static final int SAMPLES = 44;
+    public static final int SAMPLES = 46;
 
     /**
      * The points of the unit sunflower, x and y of each shadow sample; then, at {@link #SAMPLES}, the pixel's samples.
      */
-    public static final int DISC = 45;
+    public static final int DISC = 47;
 
     /**
      * A sample of the pixel, {@value #SAMPLE_STRIDE} floats: its position in the pixel, x and y in (0, 1); then pairs
@@ -114,7 +119,7 @@ public final class Layout {
     /** The largest number of bounces. */
     public static final int MOST_BOUNCES = 64;
 
-    /** Numbers of bodies. */
+    /** Numbers of bodies; the first light's. */
     public static final int LIGHT = 0;
 
     public static final int PLANE = 1;
@@ -165,6 +170,9 @@ public final class Layout {
 
     /** Absorption inside a transmitting body, per meter and channel. */
     public static final int LOOK_ABSORPTION = 13;
+
+    /** A light's factor of what it adds to the brightness of matte surfaces; lights have no inside. */
+    public static final int LOOK_SHARE = 13;
 
     public static final int LOOK_STRIDE = 16;
 
@@ -361,7 +369,7 @@ public final class Layout {
     /** The factor from the unit disc to the plane at distance 1. */
     public static final int DISC_SCALE = 43;
 
-    /** Length of the path if all materials are plain, there are no meshes, and nothing is counted. */
+    /** Length of the path if all materials are plain, there are no meshes, one light, and nothing is counted. */
     public static final int PLAIN_PATH_LENGTH = 44;
 
     /** Whether the ray comes from inside the body (1, else 0), and the other material properties. */
@@ -405,48 +413,53 @@ public final class Layout {
 
     public static final int IS_FRESNEL = 73;
 
-    public static final int PATH_LENGTH = 74;
+    /** With several lights: the body of the one that shades, and the sum of their highlights. */
+    public static final int SHADING_LIGHT = 74;
+
+    public static final int HIGHLIGHT = 75;
+
+    public static final int PATH_LENGTH = 78;
 
     /** For path tracing: index of refraction on the ray's side divided by that on the other side. */
-    public static final int RATIO = 74;
+    public static final int RATIO = 78;
 
     /** 1 for the plane, which has no inside, else 0. */
-    public static final int IS_SHEET = 75;
+    public static final int IS_SHEET = 79;
 
     /** Weights of the constant reflection, of the dielectric one, of the matte part and of transmission. */
-    public static final int PART_MIRROR = 76;
+    public static final int PART_MIRROR = 80;
 
-    public static final int PART_COAT = 77;
-    public static final int PART_MATTE = 78;
-    public static final int PART_GLASS = 79;
+    public static final int PART_COAT = 81;
+    public static final int PART_MATTE = 82;
+    public static final int PART_GLASS = 83;
 
     /** Probabilities of the lobes. */
-    public static final int CHOICE_MIRROR = 80;
+    public static final int CHOICE_MIRROR = 84;
 
-    public static final int CHOICE_MATTE = 81;
-    public static final int CHOICE_GLASS = 82;
+    public static final int CHOICE_MATTE = 85;
+    public static final int CHOICE_GLASS = 86;
 
     /** {@code f * |cos|} per channel. */
-    public static final int SCATTERED = 83;
+    public static final int SCATTERED = 87;
 
     /** Density per steradian with which the surface chose the path's ray; 0 if it had no choice. */
-    public static final int SURFACE_DENSITY = 86;
+    public static final int SURFACE_DENSITY = 90;
 
     /** The next ray: its direction, and whether it is inside the body (1, else 0). */
-    public static final int NEXT_DIRECTION = 87;
+    public static final int NEXT_DIRECTION = 91;
 
-    public static final int NEXT_INSIDE = 90;
+    public static final int NEXT_INSIDE = 94;
 
     /** Density per steradian of the chosen emitter's direction, its radiance, and what it adds unless blocked. */
-    public static final int LIGHT_DENSITY = 91;
+    public static final int LIGHT_DENSITY = 95;
 
-    public static final int EMITTED = 92;
-    public static final int DIRECT = 95;
+    public static final int EMITTED = 96;
+    public static final int DIRECT = 99;
 
     /** Unit normal of the chosen triangle. */
-    public static final int EMITTER_FACE = 98;
+    public static final int EMITTER_FACE = 102;
 
-    public static final int TRACED_PATH_LENGTH = 101;
+    public static final int TRACED_PATH_LENGTH = 105;
 
     /** The largest reflectivity, that of a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;

@@ -4,7 +4,13 @@ package dev.twister.kernel;
  * How a surface scatters light in path tracing: a reflection (a mirror, or GGX if rough), a matte part, and
  * transmission. The parts of {@link Layout#PART_MIRROR} and those after it weight them.
  */
-final class Lobes {
+public final class Lobes {
+    /** The lobes: reflection, the matte part, transmission. */
+    public static final int MIRROR = 0;
+
+    public static final int MATTE = 1;
+    public static final int GLASS = 2;
+
     /** The least part of the choices that a rough lobe has, so that facets that reflect less are chosen, too. */
     private static final float LEAST_CHOICE = 0.05f;
 
@@ -22,7 +28,7 @@ final class Lobes {
      *
      * @param path {@link Layout#TRACED_PATH_LENGTH} floats, after {@link Surface#face}
      */
-    static void prepare(float[] path, int body, float[] frame, int variant) {
+    public static void prepare(float[] path, int body, float[] frame, int variant) {
         int mesh = Surface.isMesh(body, frame, variant);
         float side = Facet.directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
         float along = Facet.directionDot(path, Layout.FACE);
@@ -95,7 +101,7 @@ final class Lobes {
     }
 
     /** 1 if light from other than single directions is scattered, so that emitters are worth sampling. */
-    static int scatters(float[] path) {
+    public static int scatters(float[] path) {
         return (path[Layout.CHOICE_MATTE] > 0f ? 1 : 0)
                 | ((path[Layout.ROUGHNESS] > 0f ? 1 : 0)
                         & (path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_GLASS] > 0f ? 1 : 0));
@@ -106,7 +112,7 @@ final class Lobes {
      *
      * @return density per steradian with which {@link #choose} takes the direction, of these lobes together
      */
-    static float evaluate(float[] path, float x, float y, float z) {
+    public static float evaluate(float[] path, float x, float y, float z) {
         float cosineOut = path[Layout.NORMAL] * x + path[Layout.NORMAL + 1] * y + path[Layout.NORMAL + 2] * z;
         float faceOut = path[Layout.FACE] * x + path[Layout.FACE + 1] * y + path[Layout.FACE + 2] * z;
         float cosineIn = Math.max(-Facet.directionDot(path, Layout.NORMAL), LEAST_COSINE);
@@ -182,9 +188,8 @@ final class Lobes {
      *
      * @param bounce number of surfaces that the path has left before
      */
-    static void choose(float[] path, int bounce, float[] frame) {
+    public static void choose(float[] path, int bounce, float[] frame) {
         int place = Noise.scatter(bounce);
-        float number = Noise.fresh(path, place, frame);
         float first = Noise.fresh(path, place + 1, frame);
         float second = Noise.fresh(path, place + 2, frame);
         path[Layout.FACET] = path[Layout.NORMAL];
@@ -193,9 +198,9 @@ final class Lobes {
         if (path[Layout.ROUGHNESS] > 0f) {
             Facet.sample(path, first, second);
         }
-        int mirror = number < path[Layout.CHOICE_MIRROR] ? 1 : 0;
-        int matte = (1 - mirror) & (number < path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_MATTE] ? 1 : 0);
-        int glass = (1 - mirror) & (1 - matte);
+        int lobe = chosen(path, bounce, frame);
+        int matte = lobe == MATTE ? 1 : 0;
+        int glass = lobe == GLASS ? 1 : 0;
         if (matte != 0) {
             float sine = (float) Math.sqrt(first);
             TangentFrame.write(
@@ -233,6 +238,17 @@ final class Lobes {
                     path[Layout.SCATTERED + 1] * inverse,
                     path[Layout.SCATTERED + 2] * inverse);
         }
+    }
+
+    /**
+     * The lobe that {@link #choose} chooses: {@link #MIRROR}, {@link #MATTE} or {@link #GLASS}.
+     *
+     * @param bounce number of surfaces that the path has left before
+     */
+    public static int chosen(float[] path, int bounce, float[] frame) {
+        float number = Noise.fresh(path, Noise.scatter(bounce), frame);
+        int spreads = number < path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_MATTE] ? MATTE : GLASS;
+        return number < path[Layout.CHOICE_MIRROR] ? MIRROR : spreads;
     }
 
     /**

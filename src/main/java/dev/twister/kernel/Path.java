@@ -44,14 +44,25 @@ public final class Path {
             int variant) {
         int body = Hit.find(path, scratch, frame, bodies, looks, meshes, variant);
         int goesOn = 0;
-        if (body >= Layout.PLANE) {
+        int isLight = LightBody.isLight(body, frame, variant);
+        if (((body >= Layout.PLANE ? 1 : 0) & (1 - isLight)) != 0) {
             meet(path, body, frame, bodies, looks, meshes, images, variant);
-            float visible = visible(path, body, scratch, frame, bodies, looks, meshes, variant);
-            scatter(path, body, visible, scratch, frame, looks, variant);
+            float visible = 1f;
+            float lit = 1f;
+            if ((variant & Variant.LIGHTS) != 0) {
+                lit = SeveralLights.shade(path, body, 1, scratch, frame, bodies, looks, meshes, variant);
+            } else {
+                visible = visible(path, body, scratch, frame, bodies, looks, meshes, variant);
+                lit = Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
+            }
+            scatter(path, body, visible, lit, scratch, frame, looks, variant);
             goesOn = path[Layout.THROUGHPUT] + path[Layout.THROUGHPUT + 1] + path[Layout.THROUGHPUT + 2] > 0f ? 1 : 0;
         }
-        if (body < Layout.PLANE) {
-            end(path, body, frame, looks, images);
+        if (body == Layout.NOTHING) {
+            SkyLookup.add(path, frame, images);
+        }
+        if (isLight != 0) {
+            Illumination.add(path, body, looks);
         }
         if ((variant & Variant.MATERIALS) != 0) {
             if (((goesOn == 0 ? 1 : 0) & (path[Layout.WAITING] > 0f ? 1 : 0)) != 0) {
@@ -63,18 +74,9 @@ public final class Path {
         return goesOn;
     }
 
-    /** Adds the light's own color, or the sky, for a ray that hits no surface. */
-    private static void end(float[] path, int body, float[] frame, float[] looks, float[] images) {
-        if (body == Layout.NOTHING) {
-            SkyLookup.add(path, frame, images);
-        }
-        if (body == Layout.LIGHT) {
-            Illumination.add(path, looks);
-        }
-    }
-
     /**
-     * Writes hit point, normal and material of the surface that the path's ray hits, and the direction to the light.
+     * Writes hit point, normal and material of the surface that the path's ray hits, and the direction to the first
+     * light.
      */
     public static void meet(
             float[] path,
@@ -90,10 +92,10 @@ public final class Path {
         if ((variant & Variant.MATERIALS) != 0) {
             Surface.face(path, body, frame, variant);
         }
-        Illumination.aim(path, bodies);
+        Illumination.aim(path, Layout.LIGHT, bodies);
     }
 
-    /** S at the surface that the ray has hit: {@link Shadow#visible}; 1 if the surface is not shaded. */
+    /** S of the light that shades the surface: {@link Shadow#visible}; 1 if the surface is not shaded. */
     public static float visible(
             float[] path,
             int body,
@@ -115,12 +117,19 @@ public final class Path {
      * in the scratch.
      *
      * @param visible S in [0, 1]
+     * @param lit what matte surfaces are multiplied by
      */
     private static void scatter(
-            float[] path, int body, float visible, float[] scratch, float[] frame, float[] looks, int variant) {
+            float[] path,
+            int body,
+            float visible,
+            float lit,
+            float[] scratch,
+            float[] frame,
+            float[] looks,
+            int variant) {
         float mirror = mirror(path, frame);
         float transmission = transmission(path, frame, variant);
-        float lit = Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
         Scatter.shade(path, visible, mirror, transmission, lit, looks, variant);
         if ((variant & Variant.MATERIALS) != 0) {
             Scatter.emit(path, body, frame, looks, variant);

@@ -7,19 +7,23 @@ package dev.twister.kernel;
  */
 public final class PathTracer {
     /** Number of surfaces from which on paths end at random. */
-    private static final int FIRST_ROULETTE = 3;
+    public static final int FIRST_ROULETTE = 3;
 
     private static final float MOST_SURVIVAL = 0.95f;
 
     /** {@code 1 / e}. */
     private static final float INVERSE_E = 0.36787945f;
 
+    /** What a ray is: none, one of the path, or one to an emitter. */
+    public static final int NO_RAY = 0;
+
+    public static final int TO_SURFACE = 1;
+    public static final int TO_EMITTER = 2;
+
     private PathTracer() {}
 
     /**
      * Follows the path's ray, and adds the radiance found to {@link Layout#RADIANCE}.
-     *
-     * <p>Rays to emitters take turns with the rays of the path, so that there is one search for hits.
      *
      * @param path {@link Layout#TRACED_PATH_LENGTH} floats: the ray, the body that it leaves, throughput and radiance
      *     so far, the pixel and its sample
@@ -34,42 +38,67 @@ public final class PathTracer {
             float[] images,
             int variant) {
         int bounce = 0;
-        int toEmitter = 0;
-        int goesOn = 1;
+        int ray = TO_SURFACE;
         path[Layout.SURFACE_DENSITY] = 0f;
-        while (goesOn != 0) {
-            int direct = toEmitter;
-            float limit = direct != 0 ? path[Layout.LIGHT_DISTANCE] : Intersection.MISS;
-            int body = Hit.within(path, limit, scratch, frame, bodies, looks, meshes, variant);
-            toEmitter = 0;
-            goesOn = 0;
-            if (direct != 0) {
-                addDirect(path, body);
-            }
-            if (direct == 0) {
-                if (body == Layout.NOTHING) {
-                    addSky(path, bounce, frame, looks, images);
-                }
-                if (body > Layout.NOTHING) {
-                    meet(path, body, frame, bodies, looks, meshes, images, variant);
-                    addEmission(path, body, bounce, frame, bodies, looks, variant);
-                }
-                if (body > Layout.LIGHT) {
-                    toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
-                    bounce = bounce + 1;
-                }
-                goesOn = body > Layout.LIGHT ? carriesLight(path) : 0;
-                Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
-            }
-            if (toEmitter == 0) {
-                next(path);
-            }
-            goesOn = direct != 0 ? carriesLight(path) : goesOn | toEmitter;
+        while (ray != NO_RAY) {
+            int meets = ray == TO_SURFACE ? 1 : 0;
+            ray = step(path, bounce, ray, scratch, frame, bodies, looks, meshes, images, variant);
+            bounce = bounce + meets;
         }
     }
 
+    /**
+     * Follows one ray, and replaces it by the next one. Rays to emitters take turns with the rays of the path, so that
+     * there is one search for hits.
+     *
+     * @param bounce number of surfaces that the path has left before this ray; a ray to an emitter does not count
+     * @param ray {@link #TO_SURFACE}, or {@link #TO_EMITTER} with the light to add in {@link Layout#DIRECT}
+     * @return what the next ray is: one of these, or {@link #NO_RAY}
+     */
+    public static int step(
+            float[] path,
+            int bounce,
+            int ray,
+            float[] scratch,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            float[] images,
+            int variant) {
+        int direct = ray == TO_EMITTER ? 1 : 0;
+        float limit = direct != 0 ? path[Layout.LIGHT_DISTANCE] : Intersection.MISS;
+        int body = Hit.within(path, limit, scratch, frame, bodies, looks, meshes, variant);
+        int toEmitter = 0;
+        int goesOn = 0;
+        if (direct != 0) {
+            addDirect(path, body);
+            goesOn = carriesLight(path);
+        }
+        if (direct == 0) {
+            if (body == Layout.NOTHING) {
+                addSky(path, bounce, frame, looks, images);
+            }
+            if (body > Layout.NOTHING) {
+                meet(path, body, frame, bodies, looks, meshes, images, variant);
+                addEmission(path, body, bounce, frame, bodies, looks, variant);
+            }
+            int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
+            if (isSurface != 0) {
+                toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
+            }
+            goesOn = isSurface != 0 ? carriesLight(path) : 0;
+            Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
+        }
+        if (toEmitter == 0) {
+            next(path);
+        }
+        int onward = goesOn != 0 ? TO_SURFACE : NO_RAY;
+        return toEmitter != 0 ? TO_EMITTER : onward;
+    }
+
     /** Writes hit point, normal and material, and applies the medium that the ray has passed. */
-    private static void meet(
+    public static void meet(
             float[] path,
             int body,
             float[] frame,
@@ -96,7 +125,7 @@ public final class PathTracer {
     }
 
     /** The power heuristic for a direction that could have been chosen in another way, too. */
-    private static float weight(float density, float other) {
+    public static float weight(float density, float other) {
         float ratio = other / density;
         return 1f / (1f + ratio * ratio);
     }
@@ -220,14 +249,19 @@ public final class PathTracer {
 
     /** Ends the path at random, more probably the less light it carries. */
     private static void roulette(float[] path, int bounce, float[] frame) {
-        float most =
-                Math.max(Math.max(path[Layout.THROUGHPUT], path[Layout.THROUGHPUT + 1]), path[Layout.THROUGHPUT + 2]);
-        float survival = Math.min(most, MOST_SURVIVAL);
+        float survival = survival(path);
         int ends = Noise.fresh(path, Noise.roulette(bounce), frame) >= survival ? 1 : 0;
         float factor = ends != 0 ? 0f : 1f / survival;
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.THROUGHPUT + channel] = path[Layout.THROUGHPUT + channel] * factor;
         }
+    }
+
+    /** Probability with which a path goes on, from surface {@link #FIRST_ROULETTE} on. */
+    public static float survival(float[] path) {
+        float most =
+                Math.max(Math.max(path[Layout.THROUGHPUT], path[Layout.THROUGHPUT + 1]), path[Layout.THROUGHPUT + 2]);
+        return Math.min(most, MOST_SURVIVAL);
     }
 
     /** 1 if light found from here on reaches the pixel, else 0. */

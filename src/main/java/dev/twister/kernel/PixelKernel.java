@@ -10,7 +10,7 @@ public final class PixelKernel {
      * @param column in [0, width)
      * @param row row of the band, in [0, rows)
      * @param path {@link Layout#PATH_LENGTH} floats, not shared between threads; {@link Layout#PLAIN_PATH_LENGTH} for
-     *     plain materials without meshes and counts
+     *     plain materials and one light without meshes and counts
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats, not shared between threads;
      *     {@link Layout#PLAIN_SCRATCH_LENGTH} for plain materials without meshes
      * @param variant bits of {@link Variant}

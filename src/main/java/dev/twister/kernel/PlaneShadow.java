@@ -12,10 +12,11 @@ final class PlaneShadow {
      * @param own the body that the point lies on
      * @param discRadius in meters
      */
-    static int mayBlock(float[] path, int own, float discRadius, float[] bodies) {
+    static int mayBlock(float[] path, int own, float discRadius, float[] bodies, int variant) {
+        int place = Layout.PLACE_STRIDE * LightBody.shading(path, variant);
         float height = bodies[Layout.PLACE_STRIDE * Layout.PLANE + 1];
         float above = path[Layout.POINT + 1] - height;
-        float light = bodies[Layout.PLACE_STRIDE * Layout.LIGHT + 1] - height;
+        float light = bodies[place + 1] - height;
         float reach = discRadius * Shadow.RELATIVE_MARGIN;
         int below = (above > 0f ? 1 : 0) & (light < reach ? 1 : 0);
         int over = (above < 0f ? 1 : 0) & (light > -reach ? 1 : 0);
@@ -29,8 +30,8 @@ final class PlaneShadow {
      * @param x the sample's position along U, at distance 1
      * @param y the sample's position along W, at distance 1
      */
-    static int blocks(float[] path, float x, float y, float[] bodies) {
-        int light = Layout.PLACE_STRIDE * Layout.LIGHT;
+    static int blocks(float[] path, float x, float y, float[] bodies, int variant) {
+        int light = Layout.PLACE_STRIDE * LightBody.shading(path, variant);
         int plane = Layout.PLACE_STRIDE * Layout.PLANE;
         float distance = path[Layout.LIGHT_DISTANCE];
         float above = path[Layout.POINT + 1] - bodies[plane + 1];

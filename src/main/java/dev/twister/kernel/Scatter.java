@@ -6,26 +6,37 @@ public final class Scatter {
 
     /**
      * Adds {@code T * (tint * lightColor * spec + (1 - m) * (1 - t) * C * lit)} to the radiance, with the throughput T.
+     * With several lights {@code lightColor * spec} is the sum of {@link SeveralLights#shade}.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param visible S in [0, 1]
      * @param mirror m in [0, 1]
      * @param transmission t in [0, 1]
-     * @param lit result of {@link Illumination#lit}
+     * @param lit result of {@link Illumination#lit} or {@link SeveralLights#shade}
      * @param looks {@link Layout#LOOK_STRIDE} floats per body
      */
     public static void shade(
             float[] path, float visible, float mirror, float transmission, float lit, float[] looks, int variant) {
-        float specular = Illumination.highlight(path, visible);
+        float specular = 1f;
+        if ((variant & Variant.LIGHTS) == 0) {
+            specular = Illumination.highlight(path, visible);
+        }
         float matte = (1f - mirror) * (1f - transmission) * lit;
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
                     + path[Layout.THROUGHPUT + channel]
-                            * (tint(path, channel, variant)
-                                            * looks[Layout.LOOK_STRIDE * Layout.LIGHT + channel]
-                                            * specular
+                            * (tint(path, channel, variant) * highlight(path, channel, looks, variant) * specular
                                     + matte * path[Layout.ALBEDO + channel]);
         }
+    }
+
+    /** Color of the only light's highlights, or the sum of all lights' highlights. */
+    static float highlight(float[] path, int channel, float[] looks, int variant) {
+        float color = looks[Layout.LOOK_STRIDE * Layout.LIGHT + channel];
+        if ((variant & Variant.LIGHTS) != 0) {
+            color = path[Layout.HIGHLIGHT + channel];
+        }
+        return color;
     }
 
     /** {@code 1 + M * (C - 1)} of a channel: what a metal's reflections are multiplied by. */

@@ -56,11 +56,12 @@ public final class Shadow {
         if (Surface.isMesh(own, frame, variant) != 0) {
             visible = MeshSurface.looksAway(path) != 0 ? 0f : 1f;
         }
-        int matters = (Variant.aspect(variant) == Aspect.SHADOW ? 1 : 0) | matters(path, frame);
+        int matters = (Variant.aspect(variant) == Aspect.SHADOW ? 1 : 0) | matters(path, frame, variant);
         if ((matters & (visible > 0f ? 1 : 0)) != 0) {
-            float discRadius = 2f * bodies[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
+            int light = LightBody.shading(path, variant);
+            float discRadius = 2f * bodies[Layout.PLACE_STRIDE * light + Layout.PLACE_SIZE];
             face(path, discRadius, frame);
-            int plane = PlaneShadow.mayBlock(path, own, discRadius, bodies);
+            int plane = PlaneShadow.mayBlock(path, own, discRadius, bodies, variant);
             int count = candidates(path, own, scratch, frame, bodies, looks, variant);
             visible = count == ALL_HIDDEN ? 0f : 1f;
             int mesh = 0;
@@ -77,11 +78,14 @@ public final class Shadow {
         return visible;
     }
 
-    /** 1 if S affects the surface's reflected light, else 0. */
-    public static int matters(float[] path, float[] frame) {
+    /** 1 if S affects the surface's reflected light, else 0. With several lights that is so for all in front. */
+    public static int matters(float[] path, float[] frame, int variant) {
         float cosine = path[Layout.NORMAL_DOT_LIGHT];
-        return (cosine > frame[Layout.AMBIENT] ? 1 : 0)
-                | ((cosine > 0f ? 1 : 0) & (path[Layout.REFLECTIVITY] > 0f ? 1 : 0));
+        float least = frame[Layout.AMBIENT];
+        if ((variant & Variant.LIGHTS) != 0) {
+            least = 0f;
+        }
+        return (cosine > least ? 1 : 0) | ((cosine > 0f ? 1 : 0) & (path[Layout.REFLECTIVITY] > 0f ? 1 : 0));
     }
 
     /**
@@ -151,8 +155,9 @@ public final class Shadow {
             float pastPlane = 1f;
             if (plane != 0) {
                 Aspect.count(path, Aspect.TESTS, 1, variant);
-                pastPlane =
-                        PlaneShadow.blocks(path, x, y, bodies) != 0 ? transmission(Layout.PLANE, looks, variant) : 1f;
+                pastPlane = PlaneShadow.blocks(path, x, y, bodies, variant) != 0
+                        ? transmission(Layout.PLANE, looks, variant)
+                        : 1f;
             }
             float light = pastPlane;
             int lit = light > 0f ? 1 : 0;

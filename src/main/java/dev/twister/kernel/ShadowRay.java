@@ -21,12 +21,13 @@ public final class ShadowRay {
             float[] looks,
             float[] meshes,
             int variant) {
-        float discRadius = 2f * bodies[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
+        float discRadius = 2f * bodies[Layout.PLACE_STRIDE * LightBody.shading(path, variant) + Layout.PLACE_SIZE];
         Shadow.face(path, discRadius, frame);
         float scale = path[Layout.DISC_SCALE];
         float x = frame[Layout.DISC + 2 * sample] * scale;
         float y = frame[Layout.DISC + 2 * sample + 1] * scale;
-        int blocked = PlaneShadow.mayBlock(path, own, discRadius, bodies) & PlaneShadow.blocks(path, x, y, bodies);
+        int blocked = PlaneShadow.mayBlock(path, own, discRadius, bodies, variant)
+                & PlaneShadow.blocks(path, x, y, bodies, variant);
         float pastPlane = blocked != 0 ? Shadow.transmission(Layout.PLANE, looks, variant) : 1f;
         float light = pastPlane * light(path, own, x, y, scratch, frame, bodies, looks, variant);
         if ((variant & Variant.MESHES) != 0) {

@@ -32,7 +32,7 @@ public final class SkyLookup {
      * @param direction place of the unit vector in the path
      * @param at place of the radiance, three floats
      */
-    static void write(float[] path, int direction, int at, float[] frame, float[] images) {
+    public static void write(float[] path, int direction, int at, float[] frame, float[] images) {
         int width = (int) frame[Layout.SKY_WIDTH];
         int height = (int) frame[Layout.SKY_HEIGHT];
         float x = path[direction];

@@ -20,7 +20,10 @@ public final class Variant {
     /** Paths are traced; implies {@link #MATERIALS}. */
     public static final int PATH = 16;
 
-    private static final int ASPECT_SHIFT = 5;
+    /** There are several lights, or one whose share is not 1. */
+    public static final int LIGHTS = 32;
+
+    private static final int ASPECT_SHIFT = 6;
 
     private Variant() {}
 

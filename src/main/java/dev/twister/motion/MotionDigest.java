@@ -2,6 +2,8 @@ package dev.twister.motion;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraView;
+import dev.twister.scene.Geometry;
+import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Palette;
@@ -53,7 +55,14 @@ final class MotionDigest {
             return;
         }
         switch (part) {
+            case Light light -> {
+                addText(Light.class.getSimpleName());
+                add(light.position());
+                add(light.radius());
+            }
             case Mesh mesh when mesh.smoothDegrees() != 0 -> add(mesh.withSmooth(0));
+            // Digests of scenes with files alone stay the same.
+            case Geometry.OfFile(Path path) -> add(path);
             case Record record -> {
                 addText(record.getClass().getSimpleName());
                 parts.of(record).forEach(this::add);

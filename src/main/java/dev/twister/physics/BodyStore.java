@@ -2,6 +2,7 @@ package dev.twister.physics;
 
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Physics;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -10,13 +11,12 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The state of all bodies in arrays. Body 0 is the light, the others are spheres, in an order that changes so that
+ * The state of all bodies in arrays. The lights come first, then the spheres, in an order that changes so that
  * neighbors in space are close in memory. A body's values are contiguous, because a contact needs all values of two
  * bodies.
  */
 final class BodyStore {
-    static final int LIGHT = 0;
-    static final int FIRST_SPHERE = 1;
+    static final int FIRST_LIGHT = 0;
 
     /** Doubles per body in {@link #numbers}, at the offsets below. */
     static final int STRIDE = 12;
@@ -34,7 +34,7 @@ final class BodyStore {
     static final int MOVE = 4;
 
     /**
-     * Inverse mass, 1 for the largest sphere of the scene; 0 for bodies that contacts do not move: the light and
+     * Inverse mass, 1 for the largest sphere of the scene; 0 for bodies that contacts do not move: the lights and
      * sleeping ones.
      */
     static final int INVERSE_MASS = 7;
@@ -73,14 +73,17 @@ final class BodyStore {
     /** Whether the walls confine the body: it was between them at the start, and fits. */
     final boolean[] walled;
 
-    /** The sphere's number in the scene, from 0; -1 for the light. */
+    /** The sphere's number in the scene, from 0; -1 for a light. */
     final int[] sphere;
 
     /** Number of consecutive steps in which the body was almost at rest on others. */
     final int[] calmSteps;
 
-    /** Number of present bodies: the light and the first spheres. */
-    int count = FIRST_SPHERE;
+    /** The first sphere's body: number of lights. */
+    final int firstSphere;
+
+    /** Number of present bodies: the lights and the first spheres. */
+    int count;
 
     private double smallestRadius = Double.POSITIVE_INFINITY;
     private final double largestRadius;
@@ -89,7 +92,9 @@ final class BodyStore {
     private final boolean walls;
 
     BodyStore(Scene scene, List<Sphere> spheres) {
-        int room = FIRST_SPHERE + spheres.size();
+        firstSphere = scene.lights().count();
+        count = firstSphere;
+        int room = firstSphere + spheres.size();
         numbers = new double[STRIDE * room];
         before = new double[3 * room];
         held = new byte[room];
@@ -105,25 +110,32 @@ final class BodyStore {
         Physics physics = scene.physics();
         walls = physics.walls();
         largestRadius = spheres.stream().mapToDouble(Sphere::radius).max().orElse(1);
-        Light light = scene.lights().first();
-        putLight(light);
-        sphere[LIGHT] = -1;
-        // Nothing moves the light, so it never wakes and never searches for pairs.
-        state[LIGHT] = ASLEEP;
+        putLights(scene.lights());
+        Arrays.fill(sphere, FIRST_LIGHT, firstSphere, -1);
+        // Nothing moves a light, so it never wakes and never searches for pairs.
+        Arrays.fill(state, FIRST_LIGHT, firstSphere, ASLEEP);
     }
 
     /** Adds the next sphere. */
     void add(Vector3 position, double radius) {
         put(count, position, radius);
-        sphere[count] = count - FIRST_SPHERE;
+        sphere[count] = count - firstSphere;
         smallestRadius = Math.min(smallestRadius, radius);
         count++;
     }
 
-    /** Moves the light, which is fixed during the simulation. */
-    void putLight(Light light) {
-        put(LIGHT, light.position(), light.radius());
-        numbers[STRIDE * LIGHT + INVERSE_MASS] = 0;
+    /** Moves the lights, as many as there are, which are fixed during the simulation. */
+    void putLights(Lights lights) {
+        int body = FIRST_LIGHT;
+        for (Light light : lights.list()) {
+            put(body, light.position(), light.radius());
+            numbers[STRIDE * body + INVERSE_MASS] = 0;
+            body++;
+        }
+    }
+
+    boolean isLight(int body) {
+        return body < firstSphere;
     }
 
     /** Copies a body's position, and that of one step ago, from another store. */
@@ -136,8 +148,8 @@ final class BodyStore {
 
     /** The body number of each present sphere of the scene. */
     int[] bodiesOfSpheres() {
-        int[] places = new int[count - FIRST_SPHERE];
-        for (int body = FIRST_SPHERE; body < count; body++) {
+        int[] places = new int[count - firstSphere];
+        for (int body = firstSphere; body < count; body++) {
             places[sphere[body]] = body;
         }
         return places;
@@ -157,7 +169,7 @@ final class BodyStore {
     }
 
     /**
-     * Changes the order of the bodies; the light stays first.
+     * Changes the order of the spheres.
      *
      * @param order for each new place, the body's old number
      */
@@ -170,7 +182,7 @@ final class BodyStore {
         boolean[] oldWalled = Arrays.copyOf(walled, count);
         int[] oldCalmSteps = Arrays.copyOf(calmSteps, count);
         int[] oldSphere = Arrays.copyOf(sphere, count);
-        for (int body = FIRST_SPHERE; body < count; body++) {
+        for (int body = firstSphere; body < count; body++) {
             int old = order[body];
             System.arraycopy(oldNumbers, STRIDE * old, numbers, STRIDE * body, STRIDE);
             System.arraycopy(oldBefore, 3 * old, before, 3 * body, 3);

@@ -112,7 +112,7 @@ final class ContactSearch {
     /** Makes the bodies of a column contiguous in memory; called after a search. */
     void reorder() {
         int[] order = new int[bodies.count];
-        int place = BodyStore.FIRST_SPHERE;
+        int place = bodies.firstSphere;
         for (int column = 0; column < columns.count(); column++) {
             for (int index = columns.start(column); index < columns.end(column); index++) {
                 place = put(order, place, grid.body[columns.slot(index)]);
@@ -131,8 +131,8 @@ final class ContactSearch {
         contacts.reorder(order, places, bodies.count);
     }
 
-    private static int put(int[] order, int place, int body) {
-        if (body == BodyStore.LIGHT) {
+    private int put(int[] order, int place, int body) {
+        if (bodies.isLight(body)) {
             return place;
         }
         order[place] = body;

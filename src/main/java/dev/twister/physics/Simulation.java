@@ -72,7 +72,7 @@ public final class Simulation implements AutoCloseable {
         bodies = new BodyStore(scene, spheres);
         surroundings = Surroundings.of(scene, mesh);
         team = new Team(spheres.size() < MIN_BODIES_FOR_THREADS ? 1 : threads);
-        firstBody = scene.physics().solidLight() ? BodyStore.LIGHT : BodyStore.FIRST_SPHERE;
+        firstBody = scene.physics().solidLight() ? BodyStore.FIRST_LIGHT : bodies.firstSphere;
         search = new ContactSearch(bodies, surroundings, team, firstBody, typicalRadius(spheres) * (1 + 2 * MARGIN));
         solver = ContactSolver.moving(bodies, surroundings);
         bracing = new Bracing(bodies, surroundings);
@@ -133,8 +133,8 @@ public final class Simulation implements AutoCloseable {
         boolean sameMeshes = haveMeshesAlike(scene, edited);
         if (sameMeshes && movesAlike(scene, edited)) {
             scene = edited;
-            // A light that is not solid may have moved, without effect on the motion.
-            bodies.putLight(edited.lights().first());
+            // Lights that are not solid may have moved, without effect on the motion.
+            bodies.putLights(edited.lights());
             return this;
         }
         MeshCollider mesh = sameMeshes ? surroundings.mesh() : MeshCollider.of(edited, meshes);
@@ -156,15 +156,21 @@ public final class Simulation implements AutoCloseable {
     }
 
     private static boolean movesAlike(Scene one, Scene other) {
-        Light light = one.lights().first();
-        boolean sameLight = light.position().equals(other.lights().first().position())
-                && light.radius() == other.lights().first().radius();
         return one.physics().equals(other.physics())
-                && (sameLight || !one.physics().solidLight())
+                && one.lights().count() == other.lights().count()
+                && (!one.physics().solidLight()
+                        || areAlike(one.lights().list(), other.lights().list()))
                 && one.ground().size() == other.ground().size()
                 && one.ground().height() == other.ground().height()
                 && one.pour().equals(other.pour())
                 && moveAlike(one.spheres(), other.spheres());
+    }
+
+    private static boolean areAlike(List<Light> some, List<Light> others) {
+        return IntStream.range(0, some.size())
+                .allMatch(index ->
+                        some.get(index).position().equals(others.get(index).position())
+                                && some.get(index).radius() == others.get(index).radius());
     }
 
     private static boolean moveAlike(List<Sphere> some, List<Sphere> others) {
@@ -181,16 +187,16 @@ public final class Simulation implements AutoCloseable {
         int[] same = SameSpheres.of(before, now);
         for (int index = 0; index < same.length; index++) {
             if (same[index] != SameSpheres.NONE && SameSpheres.isSamePlace(before.get(same[index]), now.get(index))) {
-                takeOver(old, bodyOfSphere[same[index]], BodyStore.FIRST_SPHERE + index);
+                takeOver(old, bodyOfSphere[same[index]], bodies.firstSphere + index);
             }
         }
         ahead = old.ahead;
         if (scene.pour().equals(old.scene.pour())) {
             steps = old.steps;
-            int poured = old.bodies.count - BodyStore.FIRST_SPHERE - before.size();
+            int poured = old.bodies.count - old.bodies.firstSphere - before.size();
             spout.skip(poured, bodies);
             for (int index = 0; index < poured; index++) {
-                takeOver(old, bodyOfSphere[before.size() + index], BodyStore.FIRST_SPHERE + now.size() + index);
+                takeOver(old, bodyOfSphere[before.size() + index], bodies.firstSphere + now.size() + index);
             }
         }
     }
@@ -263,9 +269,11 @@ public final class Simulation implements AutoCloseable {
         return steps * STEP_SECONDS;
     }
 
-    /** Number of present bodies, including light and plane; spheres that are not poured yet do not count. */
+    /**
+     * Number of present bodies, including the first light and the plane; spheres that are not poured yet do not count.
+     */
     public int bodies() {
-        return bodies.count - BodyStore.FIRST_SPHERE + Layout.FIRST_SPHERE;
+        return bodies.count - bodies.firstSphere + Layout.FIRST_SPHERE;
     }
 
     /**
@@ -285,14 +293,14 @@ public final class Simulation implements AutoCloseable {
      */
     public float[] positions(Vector3 origin) {
         float share = (float) (ahead / STEP_SECONDS);
-        float[] positions = new float[3 * (bodies.state.length - BodyStore.FIRST_SPHERE + Layout.FIRST_SPHERE)];
+        float[] positions = new float[3 * (bodies.state.length - bodies.firstSphere + Layout.FIRST_SPHERE)];
         double[] start = {origin.x(), origin.y(), origin.z()};
         positions[3 * Layout.PLANE] = (float) (0 - origin.x());
         positions[3 * Layout.PLANE + 1] = (float) (surroundings.height() - origin.y());
         positions[3 * Layout.PLANE + 2] = (float) (0 - origin.z());
-        put(BodyStore.LIGHT, start, positions, Layout.LIGHT, 1);
+        put(BodyStore.FIRST_LIGHT, start, positions, Layout.LIGHT, 1);
         inChunks((from, to) -> {
-            for (int body = Math.max(from, BodyStore.FIRST_SPHERE); body < to; body++) {
+            for (int body = Math.max(from, bodies.firstSphere); body < to; body++) {
                 put(body, start, positions, Layout.FIRST_SPHERE + bodies.sphere[body], share);
             }
         });

@@ -32,14 +32,14 @@ final class Waking {
         double speedSquared =
                 numbers[at] * numbers[at] + numbers[at + 1] * numbers[at + 1] + numbers[at + 2] * numbers[at + 2];
         boolean hit = speedSquared > wakeSpeedSquared * numbers[BodyStore.STRIDE * sleeper + BodyStore.RADIUS];
-        if (hit && bodies.state[sleeper] == BodyStore.ASLEEP && sleeper != BodyStore.LIGHT) {
+        if (hit && bodies.state[sleeper] == BodyStore.ASLEEP && !bodies.isLight(sleeper)) {
             bodies.rouse(sleeper);
         }
     }
 
     /** A body's inverse mass as if it were awake. */
     double inverseMassAwake(int body) {
-        return body == BodyStore.LIGHT ? 0 : bodies.inverseMass(numbers[BodyStore.STRIDE * body + BodyStore.RADIUS]);
+        return bodies.isLight(body) ? 0 : bodies.inverseMass(numbers[BodyStore.STRIDE * body + BodyStore.RADIUS]);
     }
 
     /** The inverse mass in an impact of the body whose values start at an index: a roused body moves at once. */

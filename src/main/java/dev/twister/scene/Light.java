@@ -3,17 +3,18 @@ package dev.twister.scene;
 import java.util.Optional;
 
 /**
- * The one light: a sphere that is drawn in its own color, unshaded.
+ * A light: a sphere that is drawn in its own color, unshaded.
  *
  * @param position its center, in meters
  * @param radius in meters, above 0
  * @param color linear radiance
  * @param strength in m^2, for path tracing: the irradiance over pi, at one meter, of a surface that faces the light, is
  *     the color times this; without one the ground below the light is about as bright as without path tracing
+ * @param share factor, 0 or more, of what the light adds to the brightness of matte surfaces without path tracing
  */
-public record Light(Vector3 position, double radius, Rgb color, Optional<Double> strength) {
+public record Light(Vector3 position, double radius, Rgb color, Optional<Double> strength, double share) {
     /** A white light of radius 1, 10 m above the origin. */
-    public static final Light DEFAULT = new Light(new Vector3(0, 10, 0), 1, new Rgb(1, 1, 1), Optional.empty());
+    public static final Light DEFAULT = new Light(new Vector3(0, 10, 0), 1, new Rgb(1, 1, 1), Optional.empty(), 1);
 
     /** A light whose other properties are the defaults. */
     public static Light of(Vector3 position, double radius, Rgb color) {
@@ -21,18 +22,22 @@ public record Light(Vector3 position, double radius, Rgb color, Optional<Double>
     }
 
     public Light withPosition(Vector3 newPosition) {
-        return new Light(newPosition, radius, color, strength);
+        return new Light(newPosition, radius, color, strength, share);
     }
 
     public Light withRadius(double newRadius) {
-        return new Light(position, newRadius, color, strength);
+        return new Light(position, newRadius, color, strength, share);
     }
 
     public Light withColor(Rgb newColor) {
-        return new Light(position, radius, newColor, strength);
+        return new Light(position, radius, newColor, strength, share);
     }
 
     public Light withStrength(Optional<Double> newStrength) {
-        return new Light(position, radius, color, newStrength);
+        return new Light(position, radius, color, newStrength, share);
+    }
+
+    public Light withShare(double newShare) {
+        return new Light(position, radius, color, strength, newShare);
     }
 }

@@ -1,14 +1,16 @@
 package dev.twister.scene;
 
+import java.util.ArrayList;
 import java.util.List;
 
-/** The lights of a scene. */
+/** The lights of a scene, at least one; the first is body 0. */
 public record Lights(List<Light> list) {
-    /** @throws IllegalArgumentException unless there is exactly one: nothing draws more of them yet */
+    /** @throws IllegalArgumentException unless there are 1 to {@link SceneLimits#MAX_LIGHTS} */
     public Lights {
         list = List.copyOf(list);
-        if (list.size() != 1) {
-            throw new IllegalArgumentException(list.size() + " lights; a scene has 1");
+        if (list.isEmpty() || list.size() > SceneLimits.MAX_LIGHTS) {
+            throw new IllegalArgumentException(
+                    list.size() + " lights; a scene has 1 to " + SceneLimits.MAX_LIGHTS + " of them");
         }
     }
 
@@ -18,5 +20,32 @@ public record Lights(List<Light> list) {
 
     public Light first() {
         return list.getFirst();
+    }
+
+    public Light get(int index) {
+        return list.get(index);
+    }
+
+    public int count() {
+        return list.size();
+    }
+
+    /** The lights after the first. */
+    public List<Light> further() {
+        return list.subList(1, list.size());
+    }
+
+    /** With another light at an index. */
+    public Lights with(int index, Light light) {
+        List<Light> changed = new ArrayList<>(list);
+        changed.set(index, light);
+        return new Lights(changed);
+    }
+
+    /** With more lights after the last. */
+    public Lights with(List<Light> more) {
+        List<Light> all = new ArrayList<>(list);
+        all.addAll(more);
+        return new Lights(all);
     }
 }

@@ -8,7 +8,7 @@ package dev.twister.scene;
  * @param friction Coulomb's coefficient, 0 or more; spheres do not spin, so that it stands for rolling resistance too
  * @param damping share of the speed that is lost in a second, as a rate c in 1/s: v' = -c v
  * @param walls whether four walls without an upper end stand on the plane's border
- * @param solidLight whether the light is a body that can be hit, at rest for ever; otherwise spheres pass through it
+ * @param solidLight whether lights are bodies that can be hit, at rest for ever; otherwise spheres pass through them
  */
 public record Physics(
         Vector3 gravity, double elasticity, double friction, double damping, boolean walls, boolean solidLight) {

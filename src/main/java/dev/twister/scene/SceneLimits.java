@@ -8,6 +8,9 @@ public final class SceneLimits {
     /** Above 0, so that no normal is divided by 0. */
     public static final Range LENGTH = new Range(1e-6, 1e6, "meters");
 
+    /** Of a shape; 0 where it is flat. */
+    public static final Range SHAPE_SIDE = new Range(0, 1e6, "meters");
+
     public static final Range YAW = new Range(-1e6, 1e6, "degrees");
     public static final Range PITCH = new Range(-90, 90, "degrees");
     public static final Range ROTATION = YAW;
@@ -24,6 +27,7 @@ public final class SceneLimits {
     public static final Range METALLIC = new Range(0, 1);
     public static final Range EMISSION_STRENGTH = new Range(0, 1e6);
     public static final Range LIGHT_STRENGTH = new Range(0, 1e9, "m^2");
+    public static final Range LIGHT_SHARE = new Range(0, 1000);
     public static final Range CLAMP = new Range(0, 1e6);
     public static final Range TRANSMISSION = new Range(0, 1);
     public static final Range IOR = new Range(1, 4);
@@ -45,6 +49,7 @@ public final class SceneLimits {
     public static final Range POUR_SPEED = new Range(1e-3, 100, "m/s");
     public static final Range SEED = new Range(0, Integer.MAX_VALUE);
 
+    public static final int MAX_LIGHTS = 4096;
     public static final int MAX_SPHERES = 500_000;
     public static final int MAX_MESHES = 10_000;
     public static final int MAX_MATERIALS = 256;

@@ -8,13 +8,13 @@ import dev.twister.scene.Vector3;
  * bodies that the scene may have; {@link FrameInput#bodyCount} is the number of present ones.
  *
  * @param floats the array {@code bodies} of {@link Layout}: places relative to the origin, then the hierarchies over
- *     the present spheres, see {@link SphereHierarchy}, and over the meshes; its length depends only on the room and
- *     the meshes
+ *     the present spheres, see {@link SphereHierarchy}, and over the meshes; its length depends only on the room, the
+ *     lights and the meshes
  * @param looks the array {@code looks} of {@link Layout}: materials, then the textures' table
  * @param meshes the distinct meshes of the bodies
- * @param room maximum number of bodies without meshes; meshes are numbered from here
+ * @param room maximum number of bodies without meshes and further lights; the second light is numbered from here
  * @param end one more than the highest body number, including meshes
- * @param firstMesh the room, or {@link Layout#NO_MESHES} if no mesh is visible
+ * @param firstMesh the first body after the lights, or {@link Layout#NO_MESHES} if no mesh is visible
  * @param plain whether all bodies, present or not, have only color and reflectivity
  * @param origin origin of all coordinates of the input, in the scene's coordinates; near the camera, because floats
  *     lose precision far away
@@ -35,7 +35,7 @@ public record Bodies(
         return floats[Layout.PLACE_STRIDE * body + axis];
     }
 
-    /** The radius of the light or a sphere, or the plane's side, in meters. */
+    /** The radius of a light or a sphere, or the plane's side, in meters. */
     public float size(int body) {
         return floats[Layout.PLACE_STRIDE * body + Layout.PLACE_SIZE];
     }
@@ -48,7 +48,7 @@ public record Bodies(
     /**
      * Place of the root of the spheres' hierarchy.
      *
-     * @param bodyCount number of present bodies without meshes
+     * @param bodyCount number of present bodies without meshes and further lights
      */
     public int root(int bodyCount) {
         return SphereHierarchy.root(end, bodyCount);

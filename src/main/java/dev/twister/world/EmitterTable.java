@@ -13,20 +13,27 @@ final class EmitterTable {
 
     /** What the tables depend on. Where spheres are makes no difference. */
     @SuppressWarnings("ArrayRecordComponent") // an array's identity is what counts
-    private record Source(float[] looks, float[] images, int bodyCount, List<Mesh> meshes, Rgb light, boolean sky) {}
+    private record Source(
+            float[] looks, float[] images, int bodyCount, List<Mesh> meshes, List<Rgb> lights, boolean sky) {}
 
     /**
      * The tables for the present bodies.
      *
      * @param meshes the scene's meshes, which are where the bodies have them
-     * @param light the light's radiance
+     * @param lights each light's radiance
      */
     Emitters of(
-            Bodies bodies, int bodyCount, List<Mesh> meshes, Rgb light, float[] images, Skybox sky, boolean skyShines) {
-        Optional<Source> now = Optional.of(new Source(bodies.looks(), images, bodyCount, meshes, light, skyShines));
+            Bodies bodies,
+            int bodyCount,
+            List<Mesh> meshes,
+            List<Rgb> lights,
+            float[] images,
+            Skybox sky,
+            boolean skyShines) {
+        Optional<Source> now = Optional.of(new Source(bodies.looks(), images, bodyCount, meshes, lights, skyShines));
         if (!source.equals(now)) {
             source = now;
-            emitters = Optional.of(Emitters.of(bodies, bodyCount, light, images, sky, skyShines));
+            emitters = Optional.of(Emitters.of(bodies, bodyCount, lights, images, sky, skyShines));
         }
         return emitters.orElseThrow();
     }

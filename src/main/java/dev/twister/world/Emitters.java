@@ -29,17 +29,22 @@ record Emitters(float[] looks, float[] images, int table, int count, int sky, in
     /**
      * The tables for the present bodies.
      *
-     * @param bodyCount number of present bodies without meshes
-     * @param light the light's radiance
+     * @param bodyCount number of present bodies without meshes and further lights
+     * @param lights each light's radiance
      * @param images {@code images} of {@link Layout}, the sky first
      * @param sky the panorama
      * @param skyShines whether the sky's strength is above 0
      */
-    static Emitters of(Bodies bodies, int bodyCount, Rgb light, float[] images, Skybox sky, boolean skyShines) {
+    static Emitters of(Bodies bodies, int bodyCount, List<Rgb> lights, float[] images, Skybox sky, boolean skyShines) {
         float[] looks = bodies.looks().clone();
-        LookTable.putColor(looks, Layout.LOOK_STRIDE * Layout.LIGHT + Layout.LOOK_EMISSION, light);
+        int further = lights.size() - 1;
+        for (int index = 0; index < lights.size(); index++) {
+            int body = index == 0 ? Layout.LIGHT : bodies.room() + index - 1;
+            LookTable.putColor(looks, Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION, lights.get(index));
+        }
         List<Emitter> emitters = new ArrayList<>();
-        addSpheres(bodies, bodyCount, looks, emitters);
+        addSpheres(bodies, 0, bodyCount, looks, emitters);
+        addSpheres(bodies, bodies.room(), bodies.room() + further, looks, emitters);
         if (bodies.firstMesh() != Layout.NO_MESHES) {
             addTriangles(bodies, looks, emitters);
         }
@@ -82,8 +87,8 @@ record Emitters(float[] looks, float[] images, int table, int count, int sky, in
         frame[Layout.SKY_TABLE] = skyTable;
     }
 
-    private static void addSpheres(Bodies bodies, int bodyCount, float[] looks, List<Emitter> emitters) {
-        for (int body = 0; body < bodyCount; body++) {
+    private static void addSpheres(Bodies bodies, int first, int end, float[] looks, List<Emitter> emitters) {
+        for (int body = first; body < end; body++) {
             double radiance = radiance(looks, body);
             if (radiance > 0 && body != Layout.PLANE) {
                 double area = 4 * Math.PI * bodies.size(body) * bodies.size(body);

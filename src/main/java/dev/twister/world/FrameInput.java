@@ -32,14 +32,34 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
         return (int) view.frame()[Layout.ROWS];
     }
 
-    /** Number of present bodies without meshes: light, plane and spheres. */
+    /** Number of present bodies without meshes and further lights: the first light, the plane and the spheres. */
     public int bodyCount() {
         return (int) view.frame()[Layout.BODIES];
     }
 
-    /** One more than the highest number of a present body, including meshes. */
+    /** One more than the highest number of a present body, including meshes, but without further lights. */
     public int bodyEnd() {
         return bodies.firstMesh() == Layout.NO_MESHES ? bodyCount() : bodies.end();
+    }
+
+    /** Number of lights. */
+    public int lights() {
+        return (int) view.frame()[Layout.LIGHTS];
+    }
+
+    /** A light's body. */
+    public int light(int index) {
+        return index == 0 ? Layout.LIGHT : bodies.room() + index - 1;
+    }
+
+    /** Whether the body is a light. */
+    public boolean isLight(int body) {
+        return body == Layout.LIGHT || (body >= bodies.room() && body < light(lights()));
+    }
+
+    /** Whether the one light that the paper's formula has is not enough. */
+    public boolean hasSeveralLights() {
+        return lights() > 1 || bodies.looks()[Layout.LOOK_SHARE] != 1;
     }
 
     public int shadowSamples() {
@@ -86,6 +106,7 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
                 | (bodies.firstMesh() == Layout.NO_MESHES ? 0 : Variant.MESHES)
                 | (bodies.plain() && !tracesPaths() ? 0 : Variant.MATERIALS)
                 | (tracesPaths() ? Variant.PATH : 0)
+                | (hasSeveralLights() ? Variant.LIGHTS : 0)
                 | (linear ? Variant.LINEAR : 0)
                 | Variant.of(aspect());
     }

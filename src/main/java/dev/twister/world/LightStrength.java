@@ -2,14 +2,20 @@ package dev.twister.world;
 
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Rgb;
+import java.util.List;
 
 /** How bright a light is in path tracing. */
 final class LightStrength {
     private LightStrength() {}
 
-    /** The radiance of a light's surface: {@code color * strength / radius^2}. */
-    static Rgb radiance(Light light, Ground ground) {
+    /** The radiance of each light's surface: {@code color * strength / radius^2}. */
+    static List<Rgb> radiances(Lights lights, Ground ground) {
+        return lights.list().stream().map(light -> radiance(light, ground)).toList();
+    }
+
+    private static Rgb radiance(Light light, Ground ground) {
         double factor = light.strength().orElseGet(() -> usual(light, ground)) / (light.radius() * light.radius());
         return new Rgb(
                 light.color().red() * factor,

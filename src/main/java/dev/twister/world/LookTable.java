@@ -4,6 +4,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.scene.Emission;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sphere;
@@ -21,6 +22,7 @@ final class LookTable {
 
     private float[] looks = {};
     private boolean plain;
+    private int secondLight;
     private float[] texels = {};
     private List<Path> textures = List.of();
     private Optional<SceneImages> images = Optional.empty();
@@ -31,19 +33,22 @@ final class LookTable {
      * @param spheres including those to be poured
      * @throws IllegalArgumentException if one of the textures is missing
      */
-    void put(Light light, Ground ground, List<Sphere> spheres, List<MeshBody> meshes, SceneImages newImages) {
+    void put(Lights lights, Ground ground, List<Sphere> spheres, List<MeshBody> meshes, SceneImages newImages) {
         TexelTable table = new TexelTable(newImages);
-        float[] materials = new float[Layout.LOOK_STRIDE * (Layout.FIRST_SPHERE + spheres.size() + meshes.size())];
-        put(materials, Layout.LIGHT, Material.DEFAULT.withColor(light.color()), 0);
+        secondLight = Layout.FIRST_SPHERE + spheres.size();
+        int firstMesh = secondLight + lights.further().size();
+        float[] materials = new float[Layout.LOOK_STRIDE * (firstMesh + meshes.size())];
         put(materials, Layout.PLANE, ground.material(), table.number(ground.material()));
         int body = Layout.FIRST_SPHERE;
         for (Sphere sphere : spheres) {
             put(materials, body++, sphere.material(), table.number(sphere.material()));
         }
+        body = firstMesh;
         for (MeshBody mesh : meshes) {
             put(materials, body++, mesh.material(), table.number(mesh.material()));
         }
         plain = arePlain(materials);
+        put(materials, lights);
         replace(table.withTable(materials));
         if (!images.equals(Optional.of(newImages)) || !textures.equals(table.textures())) {
             texels = table.images();
@@ -52,10 +57,24 @@ final class LookTable {
         }
     }
 
-    void put(Light light) {
+    /** Changes as many lights as there are. */
+    void put(Lights lights) {
         float[] changed = looks.clone();
-        putColor(changed, Layout.LOOK_STRIDE * Layout.LIGHT, light.color());
+        put(changed, lights);
         replace(changed);
+    }
+
+    private void put(float[] materials, Lights lights) {
+        put(materials, Layout.LIGHT, lights.first());
+        int body = secondLight;
+        for (Light light : lights.further()) {
+            put(materials, body++, light);
+        }
+    }
+
+    private static void put(float[] materials, int body, Light light) {
+        putColor(materials, Layout.LOOK_STRIDE * body, light.color());
+        materials[Layout.LOOK_STRIDE * body + Layout.LOOK_SHARE] = (float) light.share();
     }
 
     private void replace(float[] changed) {

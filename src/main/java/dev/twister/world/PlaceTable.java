@@ -3,6 +3,7 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import java.util.Arrays;
@@ -17,6 +18,7 @@ final class PlaceTable {
     private float[] places = {};
     private float[] instances = {};
     private int room;
+    private int firstMesh;
     private int present;
     private float[] floats = {};
     private boolean floatsHold;
@@ -36,21 +38,28 @@ final class PlaceTable {
      * @param meshData {@link SceneMeshes#floats}
      */
     void put(
-            Light light, Ground ground, List<Sphere> spheres, int newPresent, List<MeshBody> meshes, float[] meshData) {
+            Lights lights,
+            Ground ground,
+            List<Sphere> spheres,
+            int newPresent,
+            List<MeshBody> meshes,
+            float[] meshData) {
         float[] before = places;
         float[] instancesBefore = instances;
         boolean held = floatsHold;
         boolean samePresent = present == newPresent && room == Layout.FIRST_SPHERE + spheres.size();
         room = Layout.FIRST_SPHERE + spheres.size();
+        firstMesh = room + lights.further().size();
         present = newPresent;
-        instances = InstanceTable.of(meshes, meshData, room);
-        places = new float[Layout.PLACE_STRIDE * (room + meshes.size())];
-        put(light);
+        instances = InstanceTable.of(meshes, meshData, firstMesh);
+        places = new float[Layout.PLACE_STRIDE * (firstMesh + meshes.size())];
+        put(lights);
         put(ground);
         int body = Layout.FIRST_SPHERE;
         for (Sphere sphere : spheres) {
             place(body++, sphere.position().minus(origin), sphere.radius());
         }
+        body = firstMesh;
         for (MeshBody mesh : meshes) {
             MeshBox box = MeshBox.of(mesh, meshData);
             place(body++, box.center(), box.radius());
@@ -64,8 +73,17 @@ final class PlaceTable {
                 held && hierarchyHolds && Arrays.equals(before, places) && Arrays.equals(instancesBefore, instances);
     }
 
-    void put(Light light) {
-        place(Layout.LIGHT, light.position().minus(origin), light.radius());
+    /** Places as many lights as there are. */
+    void put(Lights lights) {
+        put(Layout.LIGHT, lights.first());
+        int body = room;
+        for (Light light : lights.further()) {
+            put(body++, light);
+        }
+    }
+
+    private void put(int body, Light light) {
+        place(body, light.position().minus(origin), light.radius());
     }
 
     void put(Ground ground) {
@@ -80,9 +98,9 @@ final class PlaceTable {
     }
 
     /**
-     * Moves the bodies, except meshes.
+     * Moves the bodies, except meshes and further lights.
      *
-     * @param positions three floats for each body without meshes
+     * @param positions three floats for each of the first light, the plane and the spheres
      */
     void move(float[] positions, int newPresent) {
         if (positions.length != 3 * room) {
@@ -119,12 +137,12 @@ final class PlaceTable {
         return hierarchy;
     }
 
-    /** Maximum number of bodies without meshes. */
+    /** Maximum number of bodies without meshes and further lights; the second light is numbered from here. */
     int room() {
         return room;
     }
 
-    /** Number of present bodies without meshes. */
+    /** Number of present bodies without meshes and further lights. */
     int present() {
         return present;
     }
@@ -136,6 +154,6 @@ final class PlaceTable {
 
     /** The first mesh's body, or {@link Layout#NO_MESHES} if no mesh is visible. */
     int firstMesh() {
-        return instances.length > 0 ? room : Layout.NO_MESHES;
+        return instances.length > 0 ? firstMesh : Layout.NO_MESHES;
     }
 }

@@ -92,7 +92,9 @@ public final class World {
     @SuppressWarnings("ReferenceEquality")
     public void show(Scene newScene, SceneImages newImages, SceneMeshes newMeshes) {
         Scene before = scene;
-        boolean sameBodies = hasBodiesOf(newScene) && meshes.equals(newMeshes);
+        boolean sameBodies = hasBodiesOf(newScene)
+                && newScene.lights().count() == before.lights().count()
+                && meshes.equals(newMeshes);
         boolean sameLooks = sameBodies && hasSurfacesOf(newScene) && images.equals(newImages);
         scene = newScene;
         images = newImages;
@@ -101,7 +103,7 @@ public final class World {
             putPlaces();
         } else {
             if (scene.lights() != before.lights()) {
-                places.put(scene.lights().first());
+                places.put(scene.lights());
             }
             if (scene.ground() != before.ground()) {
                 places.put(scene.ground());
@@ -110,7 +112,7 @@ public final class World {
         if (!sameLooks) {
             putLooks();
         } else if (scene.lights() != before.lights()) {
-            looks.put(scene.lights().first());
+            looks.put(scene.lights());
         }
         putSamples(before.rendering());
     }
@@ -146,7 +148,7 @@ public final class World {
     private void putPlaces() {
         moved = false;
         places.put(
-                scene.lights().first(),
+                scene.lights(),
                 scene.ground(),
                 scene.allSpheres(),
                 Layout.FIRST_SPHERE + scene.spheres().size(),
@@ -155,8 +157,7 @@ public final class World {
     }
 
     private void putLooks() {
-        looks.put(
-                scene.lights().first(), scene.ground(), scene.allSpheres(), MeshBody.of(scene, meshes, origin), images);
+        looks.put(scene.lights(), scene.ground(), scene.allSpheres(), MeshBody.of(scene, meshes, origin), images);
     }
 
     private void putSamples(Rendering before) {
@@ -188,10 +189,10 @@ public final class World {
     }
 
     /**
-     * Moves the bodies, except meshes.
+     * Moves the bodies, except meshes and further lights.
      *
-     * @param positions {@code float[3 * room]}: the centers of the light, the plane and all spheres, including those
-     *     not poured yet, relative to the {@link #origin}, in meters
+     * @param positions {@code float[3 * room]}: the centers of the first light, the plane and all spheres, including
+     *     those not poured yet, relative to the {@link #origin}, in meters
      * @param newBodies number of present bodies, including light and plane
      * @throws IllegalArgumentException if the length is wrong, or there is no room for that number of bodies
      */
@@ -223,7 +224,7 @@ public final class World {
                     bodies,
                     places.present(),
                     scene.meshes(),
-                    LightStrength.radiance(scene.lights().first(), scene.ground()),
+                    LightStrength.radiances(scene.lights(), scene.ground()),
                     looks.texels(),
                     images.sky(),
                     scene.sky().strength() > 0);
@@ -259,6 +260,8 @@ public final class World {
         values[Layout.INSTANCES] = bodies.instances();
         values[Layout.TEXTURES] = bodies.textures();
         values[Layout.CLAMP] = (float) settings.clamp();
+        values[Layout.LIGHTS] = scene.lights().count();
+        values[Layout.SECOND_LIGHT] = places.room();
         values[Layout.FIRST_SAMPLE] = PixelSamples.first(settings.samplesPerPixel());
         return values;
     }

@@ -59,11 +59,11 @@ public final class PlainPicture {
             if (body == Layout.NOTHING) {
                 SkyLookup.add(path, frame, input.images());
             } else if (body == Layout.LIGHT) {
-                Illumination.add(path, looks);
+                Illumination.add(path, body, looks);
             } else {
                 Surface.find(path, body, frame, bodies, none, 0);
                 SurfaceLook.find(path, body, frame, looks, none, 0);
-                Illumination.aim(path, bodies);
+                Illumination.aim(path, Layout.LIGHT, bodies);
                 float visible = PlainShadow.visible(path, body, input.shadowSamples(), bodies, input.bodyCount());
                 float mirror = bounce == input.bounces() ? 0 : path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY;
                 float lit = Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);

@@ -3,16 +3,20 @@ package dev.twister.explain;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import dev.twister.engine.JvmEngines;
+import dev.twister.explain.Scattering.LobeChoice;
 import dev.twister.kernel.Layout;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.Pictures;
+import dev.twister.oracle.RandomLights;
 import dev.twister.oracle.RandomMaterials;
 import dev.twister.oracle.RandomMeshes;
 import dev.twister.oracle.ShippedScenes;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Rendering;
@@ -57,6 +61,103 @@ class PixelPathTest {
             LitScene scene = RandomMaterials.scene(new Random(seed), bounces);
             pathsAddUp(input(scene, scene.scene().rendering()));
         }
+    }
+
+    @Test
+    void severalLightsAddUp() {
+        for (int seed = 0; seed < 8; seed++) {
+            Random random = new Random(seed);
+            LitScene scene = seed % 2 == 0 ? RandomMaterials.scene(random, 3) : RandomMeshes.scene(random, 3);
+            LitScene lit = RandomLights.added(scene, random);
+            pathsAddUp(input(lit, lit.scene().rendering()));
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("shipped")
+    void tracedPathsOfShippedScenesAddUp(String name) {
+        LitScene scene = ShippedScenes.quick(name);
+        Rendering settings = scene.scene().rendering();
+        pathsAddUp(input(
+                scene,
+                settings.withSize(48, 27)
+                        .withIntegrator(Integrator.PATH)
+                        .withBounces(12)
+                        .withSamplesPerPixel(3)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 8})
+    void tracedPathsOfRandomScenesAddUp(int bounces) {
+        for (int seed = 0; seed < 8; seed++) {
+            Random random = new Random(seed);
+            LitScene scene =
+                    seed % 2 == 0 ? RandomMaterials.scene(random, bounces) : RandomMeshes.scene(random, bounces);
+            pathsAddUp(input(scene, scene.scene().rendering().withIntegrator(Integrator.PATH)));
+        }
+    }
+
+    /** Also those of a single sample, which is a picture of its own. */
+    @Test
+    void aTracedSampleIsThatOfTheEngine() {
+        LitScene scene = ShippedScenes.small("weekend");
+        FrameInput input = input(scene, scene.scene().rendering().withSize(48, 27));
+        float[] sample = Pictures.radiance(JvmEngines.SEQUENTIAL, input.withSamples(3, 1));
+        for (int pixel = 0; pixel < 48 * 27; pixel += 19) {
+            // An even number of samples begins with item 1 of the sequence.
+            Rgb radiance = PixelPath.of(input, pixel % 48, pixel / 48, 2).radiance();
+            assertThat(radiance).isEqualTo(new Rgb(sample[3 * pixel], sample[3 * pixel + 1], sample[3 * pixel + 2]));
+        }
+    }
+
+    @Test
+    void tracedStepsAddWhatTheirNumbersSay() {
+        LitScene scene = RandomMaterials.scene(new Random(4), 8);
+        FrameInput input = input(
+                scene, scene.scene().rendering().withIntegrator(Integrator.PATH).withClamp(0));
+        int found = 0;
+        for (int pixel = 0; pixel < input.width() * input.height(); pixel += 5) {
+            PixelPath path = PixelPath.of(input, pixel % input.width(), pixel / input.width(), 0);
+            assertThat(path.isTraced()).isTrue();
+            for (PathStep step : path.steps()) {
+                step.scattering()
+                        .ifPresent(surface -> assertThat(surface.mirror() + surface.matte() + surface.glass())
+                                .isCloseTo(1, within(1e-5)));
+                if (step.adds().green() > 0) {
+                    FoundLight light = step.light().orElseThrow();
+                    double green = step.throughput().green()
+                            * light.weight()
+                            * light.radiance().green();
+                    assertThat(step.adds().green()).isCloseTo(green, withinPercentage(0.01));
+                    found++;
+                }
+            }
+        }
+        assertThat(found).isGreaterThan(50);
+    }
+
+    /** A path goes on with what its surface says, unless Russian roulette ends it. */
+    @Test
+    void throughputsFollowFromTheChoices() {
+        LitScene scene = ShippedScenes.small("weekend");
+        FrameInput input = input(scene, scene.scene().rendering().withSize(48, 27));
+        int followed = 0;
+        for (int pixel = 0; pixel < 48 * 27; pixel += 7) {
+            List<PathStep> steps =
+                    PixelPath.of(input, pixel % 48, pixel / 48, 0).steps();
+            for (PathStep step : steps) {
+                if (step.parent() != PathStep.NO_PARENT && step.kind() != RayKind.EMITTER) {
+                    PathStep parent = steps.get(step.parent());
+                    LobeChoice next = parent.scattering().orElseThrow().next().orElseThrow();
+                    double red = parent.throughput().red() * next.factor().red() / next.survival();
+                    assertThat(next.goesOn()).isTrue();
+                    assertThat(step.kind()).isEqualTo(next.kind());
+                    assertThat(step.throughput().red()).isCloseTo(red, withinPercentage(0.01));
+                    followed++;
+                }
+            }
+        }
+        assertThat(followed).isGreaterThan(100);
     }
 
     /** Glass, rough surfaces and meshes: the kernel's view of bounces counts all rays after the view rays. */
@@ -111,11 +212,15 @@ class PixelPathTest {
 
     /** The kernel counts by other methods, which may differ where a ray grazes a sphere. */
     private static void shadowIsTheMeanOfItsRays(ShadedSurface shading) {
-        List<LightSample> rays = shading.shadowRays();
+        shading.lights().forEach(PixelPathTest::shadowIsTheMeanOfItsRays);
+    }
+
+    private static void shadowIsTheMeanOfItsRays(LightPart light) {
+        List<LightSample> rays = light.shadowRays();
         // Without rays, a mesh face turned away from the light has visibility 0, everything else 1.
-        double mean = rays.stream().mapToDouble(LightSample::light).average().orElse(shading.visible() == 0 ? 0 : 1);
+        double mean = rays.stream().mapToDouble(LightSample::light).average().orElse(light.visible() == 0 ? 0 : 1);
         double ray = rays.size() > 1 ? 1.0 / rays.size() : 0;
-        assertThat(mean).isCloseTo(shading.visible(), within(ray + 1e-5));
+        assertThat(mean).isCloseTo(light.visible(), within(ray + 1e-5));
     }
 
     private static void treeIsWhole(List<PathStep> steps) {
@@ -125,9 +230,15 @@ class PixelPathTest {
             PathStep parent = steps.get(step.parent());
             assertThat(step.parent()).isLessThan(i);
             assertThat(step.bounce()).isEqualTo(parent.bounce() + 1);
-            assertThat(step.origin()).isEqualTo(parent.shading().orElseThrow().point());
+            assertThat(step.origin()).isEqualTo(point(parent));
             assertThat(step.kind()).isNotEqualTo(RayKind.VIEW);
         }
+    }
+
+    private static Vector3 point(PathStep step) {
+        return step.shading()
+                .map(ShadedSurface::point)
+                .orElseGet(() -> step.scattering().orElseThrow().point());
     }
 
     /** The ray goes straight down onto a half mirror; the reflected ray hits the sky. */
@@ -141,8 +252,8 @@ class PixelPathTest {
         assertThat(steps.getFirst().body()).isEqualTo(Layout.PLANE);
         assertThat(steps.getFirst().distance()).isCloseTo(4, within(1e-6));
         assertThat(shading.mirror()).isEqualTo(0.5);
-        assertThat(shading.visible()).isEqualTo(1);
-        assertThat(shading.shadowRays()).hasSize(8).allMatch(ray -> ray.blocker() == Layout.NOTHING);
+        assertThat(light(shading).visible()).isEqualTo(1);
+        assertThat(light(shading).shadowRays()).hasSize(8).allMatch(ray -> ray.blocker() == Layout.NOTHING);
         assertThat(steps.getLast().kind()).isEqualTo(RayKind.REFLECTED);
         assertThat(steps.getLast().body()).isEqualTo(Layout.NOTHING);
         assertThat(steps.getLast().throughput().red()).isCloseTo(0.5 * shading.lit(), within(1e-6));
@@ -157,17 +268,17 @@ class PixelPathTest {
                 .shading()
                 .orElseThrow();
 
-        assertThat(shading.shadowRays()).hasSize(8);
+        assertThat(light(shading).shadowRays()).hasSize(8);
         if (blocker == 2) {
-            assertThat(shading.visible()).isStrictlyBetween(0.0, light);
-            assertThat(shading.shadowRays()).anyMatch(ray -> ray.light() == 0 && ray.blocker() == blocker);
+            assertThat(light(shading).visible()).isStrictlyBetween(0.0, light);
+            assertThat(light(shading).shadowRays()).anyMatch(ray -> ray.light() == 0 && ray.blocker() == blocker);
         }
         if (blocker == Layout.NOTHING) {
-            assertThat(shading.visible()).isEqualTo(light);
+            assertThat(light(shading).visible()).isEqualTo(light);
         }
         if (blocker == 0) {
-            assertThat(shading.visible()).isZero();
-            assertThat(shading.shadowRays()).allMatch(ray -> ray.light() == 0 && ray.blocker() == 2);
+            assertThat(light(shading).visible()).isZero();
+            assertThat(light(shading).shadowRays()).allMatch(ray -> ray.light() == 0 && ray.blocker() == 2);
         }
     }
 
@@ -229,5 +340,9 @@ class PixelPathTest {
     private static FrameInput input(LitScene lit, Rendering settings) {
         return World.of(lit.scene().withRendering(settings), lit.images(), lit.meshes())
                 .snapshot();
+    }
+
+    private static LightPart light(ShadedSurface shading) {
+        return shading.onlyLight().orElseThrow();
     }
 }

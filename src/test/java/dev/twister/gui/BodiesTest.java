@@ -8,6 +8,7 @@ import dev.twister.gui.bodies.BodyMouse;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.CameraNumbers;
 import dev.twister.gui.model.SelectedBodies;
 import dev.twister.gui.model.SphereOutline;
@@ -393,6 +394,27 @@ class BodiesTest {
     }
 
     @Test
+    void lightsAreInsertedEditedAndDeleted() {
+        driver.typeWith(KeyCode.INSERT, KeyCode.CONTROL);
+        int second = BodyNumber.ofLight(1);
+        assertThat(scene().lights().count()).isEqualTo(2);
+        assertThat(selected()).isEqualTo(second);
+        DrawnPicture picture = awaitRest();
+        assertThat(picture.input().lights()).isEqualTo(2);
+        Vector3 place = scene().lights().get(1).position().plus(new Vector3(0, 0.5, 0));
+        driver.run(() -> driver.studio.edit("move light", scene -> BodyEdits.moved(scene, second, place)));
+        awaitRest();
+        driver.run(() -> driver.studio.selection().select(BodyNumber.NONE));
+        click(seenAt(Layout.FIRST_SPHERE + scene().spheres().size()));
+        assertThat(selected()).isEqualTo(second);
+        driver.type(KeyCode.DELETE);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
+        assertThat(selected()).isEqualTo(BodyNumber.NONE);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene().lights().get(1).position()).isEqualTo(place);
+    }
+
+    @Test
     void theLightIsMovedToo() {
         driver.run(() ->
                 driver.studio.edit("light", scene -> BodyEdits.moved(scene, Layout.LIGHT, new Vector3(-1.2, 3, 0))));
@@ -513,7 +535,7 @@ class BodiesTest {
         driver.type(KeyCode.DELETE);
         assertThat(scene().spheres()).isEmpty();
         assertThat(bodies()).isEqualTo(SelectedBodies.of(Layout.LIGHT));
-        assertThat(driver.notice()).isEqualTo("The light can't be deleted");
+        assertThat(driver.notice()).isEqualTo("The last light can't be deleted; a scene has at least one");
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }

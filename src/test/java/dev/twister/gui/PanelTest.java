@@ -656,7 +656,7 @@ class PanelTest {
         driver.type(KeyCode.ESCAPE);
         driver.run(() -> driver.studio.selection().select(Layout.LIGHT));
         driver.type(KeyCode.DELETE);
-        assertThat(driver.notice()).isEqualTo("The light can't be deleted");
+        assertThat(driver.notice()).isEqualTo("The last light can't be deleted; a scene has at least one");
         driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
         driver.type(KeyCode.DELETE);
         assertThat(driver.notice()).isEqualTo("Nothing is selected");

@@ -2,6 +2,7 @@ package dev.twister.oracle;
 
 import java.util.List;
 import java.util.Random;
+import java.util.Set;
 
 /**
  * Path tracing in double precision without any means against noise: rays leave surfaces at random, and light counts
@@ -12,16 +13,19 @@ final class BruteForce {
     private static final Color ONE = new Color(1, 1, 1);
 
     private final List<Body> bodies;
+    private final Set<Body> lights;
     private final OracleSky sky;
     private final int bounceLimit;
     private final Random random;
 
     /**
-     * @param bodies the light first, whose color is a radiance
+     * @param bodies with the lights' radiance as emission
+     * @param lights those among the bodies that end paths
      * @param bounceLimit number of surfaces that a path leaves; light that it meets then counts if it was scattered
      */
-    BruteForce(List<Body> bodies, OracleSky sky, int bounceLimit, Random random) {
+    BruteForce(List<Body> bodies, Set<Body> lights, OracleSky sky, int bounceLimit, Random random) {
         this.bodies = bodies;
+        this.lights = lights;
         this.sky = sky;
         this.bounceLimit = bounceLimit;
         this.random = random;
@@ -57,7 +61,7 @@ final class BruteForce {
             if (counts && body.emits(ray, fromInside)) {
                 found = found.plus(throughput.times(material.emission()));
             }
-            if (body == bodies.getFirst() || bounce > bounceLimit) {
+            if (lights.contains(body) || bounce > bounceLimit) {
                 return found;
             }
             Vector facing = ray.direction().dot(normal) > 0 ? normal.times(-1) : normal;

@@ -24,10 +24,13 @@ import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -69,7 +72,22 @@ class BruteForceTest {
     @ParameterizedTest
     @MethodSource("materials")
     void meanIsThatOfBruteForce(String name, Material material) {
-        LitScene lit = scene(material);
+        requireMeans(name, scene(material));
+    }
+
+    @Test
+    void lightsAddUp() {
+        LitScene lit = scene(WHITE.withReflectivity(20));
+        Lights lights = lit.scene()
+                .lights()
+                .with(List.of(
+                        Light.of(new Vector3(2.5, 3, -2), 0.8, new Rgb(0.2, 0.6, 0.3)),
+                        Light.of(new Vector3(1.2, 0.5, -1), 0.4, new Rgb(0.9, 0.1, 0.2))
+                                .withStrength(Optional.of(2.0))));
+        requireMeans("three lights", new LitScene(lit.scene().withLights(lights), lit.images(), lit.meshes()));
+    }
+
+    private static void requireMeans(String name, LitScene lit) {
         double[][] brute = brute(lit);
         double[][] traced = traced(lit);
         for (int channel = 0; channel < 3; channel++) {
@@ -110,11 +128,20 @@ class BruteForceTest {
     private static double[][] brute(LitScene lit) {
         Scene scene = FloatScene.of(lit.scene());
         List<Body> bodies = new ArrayList<>(OracleTracer.bodies(scene, lit.images(), lit.meshes()));
-        SphereBody light = (SphereBody) bodies.getFirst();
         Random random = new Random(20261126);
-        bodies.set(0, new SphereBody(light.center(), light.radius(), radiating(lit)));
+        Set<Body> lights = new HashSet<>();
+        for (int index = 0; index < scene.lights().count(); index++) {
+            int body = OracleTracer.lightNumber(scene, index);
+            SphereBody light = (SphereBody) bodies.get(body);
+            bodies.set(body, new SphereBody(light.center(), light.radius(), radiating(lit, body)));
+            lights.add(bodies.get(body));
+        }
         BruteForce tracer = new BruteForce(
-                bodies, new OracleSky(lit.sky(), 0, 1), scene.rendering().bounces(), random);
+                bodies,
+                lights,
+                new OracleSky(lit.sky(), 0, 1),
+                scene.rendering().bounces(),
+                random);
         OracleCamera camera = new OracleCamera(scene.camera(), WIDTH, HEIGHT);
         double[][] sums = new double[2][3];
         int count = WIDTH * HEIGHT * BRUTE_SAMPLES;
@@ -136,10 +163,10 @@ class BruteForceTest {
         return sums;
     }
 
-    private static OracleMaterial radiating(LitScene lit) {
+    private static OracleMaterial radiating(LitScene lit, int body) {
         float[] looks = lit.world().snapshot().bodies().looks();
-        Rgb radiance =
-                new Rgb(looks[Layout.LOOK_EMISSION], looks[Layout.LOOK_EMISSION + 1], looks[Layout.LOOK_EMISSION + 2]);
+        int emission = Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION;
+        Rgb radiance = new Rgb(looks[emission], looks[emission + 1], looks[emission + 2]);
         return OracleMaterial.of(
                 Material.DEFAULT.withColor(new Rgb(0, 0, 0)).withEmission(Emission.NONE.withColor(radiance)),
                 lit.images());

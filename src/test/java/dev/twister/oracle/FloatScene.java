@@ -20,7 +20,8 @@ final class FloatScene {
 
     static Scene of(Scene scene) {
         return scene.withCamera(rounded(scene.camera()))
-                .withLights(Lights.of(rounded(scene.lights().first())))
+                .withLights(new Lights(
+                        scene.lights().list().stream().map(FloatScene::rounded).toList()))
                 .withGround(rounded(scene.ground()))
                 .withSpheres(scene.spheres().stream().map(FloatScene::rounded).toList())
                 .withShading(new Shading((float) scene.shading().ambient()));
@@ -51,7 +52,8 @@ final class FloatScene {
     private static Light rounded(Light light) {
         return light.withPosition(rounded(light.position()))
                 .withRadius((float) light.radius())
-                .withColor(rounded(light.color()));
+                .withColor(rounded(light.color()))
+                .withShare((float) light.share());
     }
 
     private static Ground rounded(Ground plane) {

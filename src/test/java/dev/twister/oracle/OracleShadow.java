@@ -4,22 +4,21 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** The visible part of the light over the points of the sunflower pattern, with transmitting occluders. */
+/** The visible part of a light over the points of the sunflower pattern, with transmitting occluders. */
 final class OracleShadow {
     private static final double GOLDEN_ANGLE_RADIANS = Math.PI * (3 - Math.sqrt(5));
 
     private final List<Body> bodies;
-    private final SphereBody light;
     private final int samples;
 
-    OracleShadow(List<Body> bodies, SphereBody light, int samples) {
+    /** @param bodies those that cast shadows, which lights do not */
+    OracleShadow(List<Body> bodies, int samples) {
         this.bodies = bodies;
-        this.light = light;
         this.samples = samples;
     }
 
-    /** Returns the visibility in [0, 1] at a hit point. */
-    double visible(Vector point, Body own, Ray ray) {
+    /** Returns a light's visibility in [0, 1] at a hit point. */
+    double visible(SphereBody light, Vector point, Body own, Ray ray) {
         Vector axis = light.center().minus(point).normalized();
         if (own instanceof TriangleBody triangle && triangle.facing(ray).dot(axis) <= 0) {
             return 0;
@@ -50,7 +49,7 @@ final class OracleShadow {
         for (Body body : bodies) {
             boolean meets = switch (body) {
                 case PlaneBody plane -> plane.separates(point, sample);
-                case SphereBody sphere -> sphere != light && sphere.distance(shadowRay) < distance;
+                case SphereBody sphere -> sphere.distance(shadowRay) < distance;
                 case TriangleBody triangle -> triangle.distance(shadowRay) < distance;
             };
             if (meets && body != own && (!(body instanceof TriangleBody mesh) || metMeshes.add(mesh.number()))) {

@@ -29,7 +29,7 @@ final class OracleTracer {
     private static final Color ALL = new Color(1, 1, 1);
 
     private final List<Body> bodies = new ArrayList<>();
-    private final SphereBody light;
+    private final List<Lamp> lamps = new ArrayList<>();
     private final OracleShadow shadow;
     private final OracleSky sky;
     private final double ambient;
@@ -49,31 +49,53 @@ final class OracleTracer {
         }
     }
 
+    /** A light and its share. */
+    private record Lamp(SphereBody body, double share) {}
+
+    /** What lights do at a surface: lit, and the sum of the highlights. */
+    private record Shading(double lit, Color highlight) {}
+
     OracleTracer(Scene scene, SceneImages images, SceneMeshes meshes, Rounding rounding) {
         this.rounding = rounding;
         bodies.addAll(bodies(scene, images, meshes));
-        light = (SphereBody) bodies.getFirst();
-        shadow = new OracleShadow(bodies, light, scene.rendering().shadowSamples());
+        for (int index = 0; index < scene.lights().count(); index++) {
+            SphereBody body = (SphereBody) bodies.get(lightNumber(scene, index));
+            lamps.add(new Lamp(body, scene.lights().get(index).share()));
+        }
+        shadow = new OracleShadow(
+                bodies.stream().filter(body -> !isLight(body)).toList(),
+                scene.rendering().shadowSamples());
         sky = new OracleSky(
                 images.sky(), scene.sky().rotationDegrees(), scene.sky().strength());
         ambient = scene.shading().ambient();
         bounceLimit = scene.rendering().bounces();
     }
 
-    /** Returns a scene's bodies: the light, the plane, the spheres and the triangles. */
+    /** Returns the place of a light among {@link #bodies}. */
+    static int lightNumber(Scene scene, int index) {
+        return index == 0 ? 0 : 1 + scene.spheres().size() + index;
+    }
+
+    private static SphereBody body(Light light, SceneImages images) {
+        return new SphereBody(
+                vector(light.position()),
+                light.radius(),
+                OracleMaterial.of(Material.DEFAULT.withColor(light.color()), images));
+    }
+
+    /** Returns a scene's bodies: the first light, the plane, the spheres, the other lights and the triangles. */
     static List<Body> bodies(Scene scene, SceneImages images, SceneMeshes meshes) {
         List<Body> bodies = new ArrayList<>();
-        Light sceneLight = scene.lights().first();
-        bodies.add(new SphereBody(
-                vector(sceneLight.position()),
-                sceneLight.radius(),
-                OracleMaterial.of(Material.DEFAULT.withColor(sceneLight.color()), images)));
+        bodies.add(body(scene.lights().first(), images));
         Ground plane = scene.ground();
         bodies.add(new PlaneBody(
                 plane.size(), plane.height(), Color.of(plane.oddColor()), OracleMaterial.of(plane.material(), images)));
         for (Sphere sphere : scene.spheres()) {
             bodies.add(new SphereBody(
                     vector(sphere.position()), sphere.radius(), OracleMaterial.of(sphere.material(), images)));
+        }
+        for (Light light : scene.lights().further()) {
+            bodies.add(body(light, images));
         }
         int number = bodies.size();
         for (Mesh mesh : scene.meshes()) {
@@ -119,17 +141,16 @@ final class OracleTracer {
         Place place = place(ray, body, ray.at(body.distance(ray)));
         Vector normal = place.normal();
         Color albedo = body.albedo(place.point());
-        Vector toLight = light.center().minus(place.point()).normalized();
-        Color diffuse = body == light ? albedo : albedo.times(Math.max(ambient, normal.dot(toLight)));
+        Shading unshadowed = shading(place, false);
+        Color diffuse = isLight(body) ? albedo : albedo.times(unshadowed.lit());
         return switch (picture) {
             case COLORS, ALBEDO -> albedo;
             case DIFFUSE -> diffuse;
-            case HIGHLIGHTS ->
-                body == light ? albedo : diffuse.plus(light.material().color().times(highlight(place, toLight, 1)));
+            case HIGHLIGHTS -> isLight(body) ? albedo : diffuse.plus(unshadowed.highlight());
             case NORMAL -> new Color(0.5 + 0.5 * normal.x(), 0.5 + 0.5 * normal.y(), 0.5 + 0.5 * normal.z());
             case DEPTH -> ALL.times(body.distance(ray));
             case BODY -> ALL.times(body instanceof TriangleBody triangle ? triangle.number() : bodies.indexOf(body));
-            case SHADOW -> ALL.times(body == light ? 1 : shadow.visible(place.point(), body, ray));
+            case SHADOW -> ALL.times(isLight(body) ? 1 : meanVisible(place));
             default -> throw new IllegalArgumentException(picture.id());
         };
     }
@@ -145,8 +166,8 @@ final class OracleTracer {
         if (body == null) {
             return sky.color(ray.direction());
         }
-        if (body == light) {
-            return light.material().color();
+        if (isLight(body)) {
+            return body.material().color();
         }
         double distance = body == leaving ? body.distanceInside(ray) : body.distance(ray);
         Place place = place(ray, body, ray.at(distance));
@@ -154,13 +175,10 @@ final class OracleTracer {
         Color albedo = body.albedo(place.point());
         double mirror = bounce < bounceLimit ? material.reflectivity() / PERFECT_MIRROR : 0;
         double transmission = bounce < bounceLimit ? material.transmission() : 0;
-        Vector toLight = light.center().minus(place.point()).normalized();
-        double normalDotLight = place.normal().dot(toLight);
-        double visible = shadow.visible(place.point(), body, ray);
-        double lit = Math.max(ambient, Math.max(0, normalDotLight) * visible);
+        Shading shading = shading(place, true);
+        double lit = shading.lit();
         Color tint = material.tint(albedo);
-        Color color = albedo.times((1 - mirror) * (1 - transmission) * lit)
-                .plus(tint.times(light.material().color()).times(highlight(place, toLight, visible)));
+        Color color = albedo.times((1 - mirror) * (1 - transmission) * lit).plus(tint.times(shading.highlight()));
         if (body.emits(ray, place.fromInside())) {
             color = color.plus(material.emission());
         }
@@ -185,6 +203,31 @@ final class OracleTracer {
             color = color.plus(branch(place, passed, isInside, passedPart, bounce, throughput, numbers));
         }
         return color;
+    }
+
+    private Shading shading(Place place, boolean shadowed) {
+        double sum = 0;
+        Color highlight = Color.BLACK;
+        for (Lamp lamp : lamps) {
+            SphereBody light = lamp.body();
+            Vector toLight = light.center().minus(place.point()).normalized();
+            double visible = shadowed ? shadow.visible(light, place.point(), place.body(), place.ray()) : 1;
+            sum += lamp.share() * Math.max(0, place.normal().dot(toLight)) * visible;
+            highlight = highlight.plus(light.material().color().times(highlight(place, toLight, visible)));
+        }
+        return new Shading(Math.max(ambient, sum), highlight);
+    }
+
+    private double meanVisible(Place place) {
+        return lamps.stream()
+                .mapToDouble(lamp -> shadow.visible(lamp.body(), place.point(), place.body(), place.ray()))
+                .average()
+                .orElseThrow();
+    }
+
+    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
+    private boolean isLight(Body body) {
+        return lamps.stream().anyMatch(lamp -> lamp.body() == body);
     }
 
     /** Returns the weighted contribution of a secondary ray. */

@@ -9,8 +9,10 @@ import dev.twister.world.FrameInput;
 import dev.twister.world.Picture;
 import dev.twister.world.World;
 import java.util.List;
+import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Compares linear frames of every stage and view that has an equation with the oracle. */
@@ -39,7 +41,18 @@ class StagesAndViewsTest {
     @ParameterizedTest(name = "{1} of {0}")
     @MethodSource("picturesOfScenes")
     void isTheOracles(String name, Picture picture) {
-        LitScene shipped = ShippedScenes.small(name);
+        requireOracles(ShippedScenes.small(name), picture);
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = Picture.class,
+            names = {"DIFFUSE", "HIGHLIGHTS", "SOFT_SHADOWS", "ALBEDO", "NORMAL", "BODY", "SHADOW", "BOUNCES"})
+    void ofSeveralLightsIsTheOracles(Picture picture) {
+        requireOracles(RandomLights.added(ShippedScenes.small("benchmark"), new Random(20261126)), picture);
+    }
+
+    private static void requireOracles(LitScene shipped, Picture picture) {
         Rendering settings = shipped.scene().rendering();
         Scene scene = shipped.scene()
                 .withRendering(settings.withSize(160, 90)

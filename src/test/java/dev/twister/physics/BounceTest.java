@@ -3,7 +3,10 @@ package dev.twister.physics;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.scene.Light;
 import dev.twister.scene.Physics;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -87,6 +90,20 @@ class BounceTest {
                 double exact = physics.solidLight() ? 48.5 - (20 - 8.5) : 60;
                 assertThat(Motion.place(simulation, 1, 1)).isCloseTo(exact, within(1e-9));
             }
+        }
+    }
+
+    @Test
+    void bouncesOffEveryLightWhereLightsAreSolid() {
+        Scene scene = Motion.scene(Motion.WEIGHTLESS.withSolidLight(true), Motion.sphere(0, 10, 0, RADIUS));
+        Light low = scene.lights().first().withPosition(new Vector3(0, 20, 0));
+        Scene two = scene.withLights(scene.lights().with(List.of(low)));
+        try (Simulation simulation = Simulation.of(two)) {
+            Motion.setVelocity(simulation, 2, 0, 20, 0);
+            Motion.run(simulation, 1);
+
+            assertThat(Motion.place(simulation, 2, 1)).isCloseTo(18.5 - (20 - 8.5), within(1e-9));
+            assertThat(simulation.positions()).hasSize(3 * 3);
         }
     }
 }

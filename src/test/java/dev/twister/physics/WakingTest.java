@@ -43,6 +43,6 @@ class WakingTest {
 
         assertThat(waking.inverseMassWhenHit(2 * BodyStore.STRIDE)).isEqualTo(8);
         assertThat(waking.inverseMassAwake(2)).isEqualTo(8);
-        assertThat(waking.inverseMassAwake(BodyStore.LIGHT)).isZero();
+        assertThat(waking.inverseMassAwake(BodyStore.FIRST_LIGHT)).isZero();
     }
 }

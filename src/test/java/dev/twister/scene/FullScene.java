@@ -31,8 +31,11 @@ public final class FullScene {
                 new Title("Full", "Everything."),
                 camera.withKeyframes(List.of(CameraKeyframe.of(2, camera))),
                 List.of(new CameraView("front", camera)),
-                Lights.of(Light.of(new Vector3(1, 1.6, 0), 0.3, new Rgb(0.9, 0.8, 0.7))
-                        .withStrength(Optional.of(5.0))),
+                new Lights(List.of(
+                        Light.of(new Vector3(1, 1.6, 0), 0.3, new Rgb(0.9, 0.8, 0.7))
+                                .withStrength(Optional.of(5.0))
+                                .withShare(0.75),
+                        Light.of(new Vector3(-1, 2.2, 0.5), 0.2, new Rgb(0.2, 0.4, 0.9)))),
                 materials,
                 new Ground(5, 0, new Rgb(0.1, 0.2, 0.3), material(0.3, 10)),
                 new SceneBodies(
@@ -40,7 +43,7 @@ public final class FullScene {
                                 Sphere.of(new Vector3(1.1, 3, 0.1), 0.4, glass),
                                 Sphere.of(new Vector3(-1, 1.5, 0), 0.3, material(0.2, 40))),
                         List.of(new Mesh(
-                                MESH,
+                                new Geometry.OfFile(MESH),
                                 new Vector3(-1, 0.2, 0),
                                 new Vector3(10, 20, 30),
                                 0.6,

@@ -3,8 +3,10 @@ package dev.twister.world;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.FullScene;
+import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneChanges;
 import dev.twister.scene.SceneGenerator;
@@ -70,6 +72,21 @@ class ShownSceneTest {
         assertThat(after.bodies().hasHierarchyOf(before.bodies())).isTrue();
         assertThat(after.bodies().looks()).isSameAs(before.bodies().looks());
         assertThat(after.bodies().centerInScene(0)).isEqualTo(new Vector3(1, 2, 3));
+    }
+
+    @Test
+    void anotherNumberOfLightsIsWhatANewWorldMakesOfIt() {
+        Light lamp = Light.of(new Vector3(3, 4, 5), 0.5, new Rgb(1, 0.5, 0));
+        Scene more = CROWD.withLights(CROWD.lights().with(List.of(lamp, lamp)));
+
+        crowd.show(more);
+        FrameInput shown = crowd.snapshot();
+        FrameInput made = World.of(more, Worlds.SKY).snapshot();
+
+        assertThat(shown.bodies().floats()).isEqualTo(made.bodies().floats());
+        assertThat(shown.bodies().looks()).isEqualTo(made.bodies().looks());
+        assertThat(shown.view().frame()).isEqualTo(made.view().frame());
+        assertThat(shown.light(2)).isEqualTo(5003);
     }
 
     @Test

@@ -98,6 +98,8 @@ class WorldTest {
                         0,
                         0,
                         0,
+                        1,
+                        4,
                         0,
                         Layout.DISC + 2 * 5);
     }

@@ -30,7 +30,8 @@ final class StageInlining {
     static final List<String> NEVER = List.of(
             PACKAGE + "*.*(L" + PACKAGE + "lanes/Tile;",
             PACKAGE + "*.*(L" + PACKAGE + "lanes/ShadowColumns;",
-            PACKAGE + "TileRenderer.*");
+            PACKAGE + "TileRenderer.*",
+            PACKAGE + "BounceRenderer.*");
 
     private static final Logger LOGGER = System.getLogger(StageInlining.class.getName());
 

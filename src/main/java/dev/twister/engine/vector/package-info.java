@@ -4,9 +4,10 @@
  * package, the kernel, the world's frame input, the image package and {@code threads}; callers reach it only through
  * engine discovery.
  *
- * <p>{@link dev.twister.engine.vector.TileRenderer} runs the steps of a tile in order. Each step ({@code .step},
- * {@code .shadow}, {@code .crowd}, {@code .mesh}) and each shortcut ({@code .shortcut}) consists of short loops over
- * the tile's packets, one loop per method. A loop reads and writes {@code float[]} columns of the
+ * <p>{@link dev.twister.engine.vector.TileRenderer} runs the samples of a tile,
+ * {@link dev.twister.engine.vector.BounceRenderer} the steps of a bounce. Each step ({@code .step}, {@code .shadow},
+ * {@code .crowd}, {@code .mesh}) and each shortcut ({@code .shortcut}) consists of short loops over the tile's packets,
+ * one loop per method. A loop reads and writes {@code float[]} columns of the
  * {@link dev.twister.engine.vector.lanes.Tile} and holds vectors in local variables only. Methods stay small because
  * beyond about 60 vector operations or 325 bytecodes C2 no longer inlines all calls, and vectors become objects.
  * Directives ({@link dev.twister.engine.vector.StageInlining}) keep C2 from inlining methods whose first parameter is a

@@ -3,7 +3,8 @@ package dev.twister.gui.bodies;
 import dev.twister.gui.controls.Problems;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyGroup;
-import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.NewLight;
+import dev.twister.gui.model.NewMesh;
 import dev.twister.gui.model.NewSphere;
 import dev.twister.gui.model.Orbit;
 import dev.twister.gui.model.SelectedBodies;
@@ -12,13 +13,15 @@ import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Selection;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Shape;
 import java.util.List;
 import java.util.Optional;
 
 /** The menu's actions on bodies. */
 public final class BodyActions {
-    public static final String UNDELETED_LIGHT = "The light can't be deleted";
-    private static final String UNCOPIED_LIGHT = "The other bodies are copied; the light can't be";
+    public static final String UNDELETED_LIGHT = "The last light can't be deleted; a scene has at least one";
+    private static final String UNCOPIED_LIGHT = "The other bodies are copied; lights can't be";
 
     private final Studio studio;
     private final Errands errands;
@@ -35,10 +38,28 @@ public final class BodyActions {
         });
     }
 
+    public void insert(Shape.Kind kind) {
+        studio.pictureProperty()
+                .get()
+                .ifPresent(shown -> studio.insert(
+                        "insert " + Shape.of(kind, 1).name(),
+                        List.of(NewMesh.inFrontOf(shown.input(), studio.scene(), kind))));
+    }
+
+    public void insertLight() {
+        if (studio.scene().lights().count() == SceneLimits.MAX_LIGHTS) {
+            studio.notice("A scene has at most " + SceneLimits.MAX_LIGHTS + " lights");
+        } else {
+            studio.pictureProperty()
+                    .get()
+                    .ifPresent(shown -> studio.insert(NewLight.over(shown.input(), studio.scene())));
+        }
+    }
+
     /** Adds copies of the selected bodies, to the right of them. */
     public void duplicate() {
         selected().ifPresent(originals -> {
-            boolean light = studio.selection().bodies().contains(BodyNumber.LIGHT);
+            boolean light = isLightSelected();
             insert("duplicate", originals.beside());
             if (light) {
                 studio.notice(UNCOPIED_LIGHT);
@@ -50,7 +71,7 @@ public final class BodyActions {
         selected().ifPresent(originals -> {
             copied = Optional.of(originals);
             studio.notice(
-                    studio.selection().bodies().contains(BodyNumber.LIGHT)
+                    isLightSelected()
                             ? UNCOPIED_LIGHT
                             : "Copied " + (originals.bodies().size() == 1 ? "a " : "") + originals.kind());
         });
@@ -69,18 +90,21 @@ public final class BodyActions {
 
     public void delete() {
         Scene standing = studio.scene();
-        SelectedBodies solids = solids(standing);
-        if (solids.count() > 0) {
-            boolean light = studio.selection().bodies().contains(BodyNumber.LIGHT);
-            String what = solids.count() == 1
-                    ? BodyEdits.solid(standing, solids.active()).kind()
-                    : solids.count() + " bodies";
-            studio.edit("delete " + what, scene -> BodyEdits.deleted(scene, solids.bodies()));
+        SelectedBodies selected = studio.selection().bodies();
+        SelectedBodies deleted = BodyEdits.deletable(standing, selected);
+        if (deleted.count() > 0) {
+            String what =
+                    deleted.count() == 1 ? BodyEdits.kind(standing, deleted.active()) : deleted.count() + " bodies";
+            studio.edit("delete " + what, scene -> BodyEdits.deleted(scene, deleted.bodies()));
             studio.endGesture();
-            if (light) {
+            if (deleted.count() < selected.count()) {
                 studio.notice(UNDELETED_LIGHT);
             }
         }
+    }
+
+    private boolean isLightSelected() {
+        return studio.selection().bodies().bodies().stream().anyMatch(body -> BodyEdits.isLight(studio.scene(), body));
     }
 
     public void selectAlong(int steps) {
@@ -94,7 +118,7 @@ public final class BodyActions {
                 .extent(studio.selection().bodies())
                 .ifPresentOrElse(
                         extent -> studio.moveCamera(camera -> Orbit.framed(camera, extent.middle(), extent.radius())),
-                        () -> studio.notice("Select a sphere, a mesh or the light to frame it"));
+                        () -> studio.notice("Select a sphere, a mesh or a light to frame it"));
     }
 
     private SelectedBodies solids(Scene scene) {

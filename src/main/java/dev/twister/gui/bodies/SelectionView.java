@@ -152,6 +152,10 @@ public final class SelectionView extends Pane {
                     ? MeshOutline.corners(picture.input(), picture.meshes().farPoints(mesh))
                     : new double[0];
         }
+        if (BodyEdits.isLight(scene, body)) {
+            int light = BodyNumber.light(body);
+            return SphereOutline.corners(picture.input(), picture.input().light(light), count);
+        }
         // Nothing or the plane is selected, or the picture is older than the body.
         return body == BodyNumber.NONE
                         || body == BodyNumber.PLANE

@@ -15,7 +15,7 @@ import dev.twister.world.Picture;
  * @param engine draws it
  * @param refineTo samples per pixel to gather before the picture rests; 0 to draw it again and again
  * @param motion whether and how bodies move
- * @param shown the picture, or a stage or a view of it
+ * @param shown the picture, a stage or a view
  */
 public record DrawingRequest(
         long number,

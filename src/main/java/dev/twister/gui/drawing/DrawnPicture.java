@@ -5,6 +5,7 @@ import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneMeshes;
+import java.util.OptionalDouble;
 
 /**
  * A finished picture.
@@ -12,12 +13,13 @@ import dev.twister.world.SceneMeshes;
  * @param frame 8-bit pixels, valid until the picture is given back; smaller than requested just after the start, when
  *     nothing is compiled yet
  * @param request the request that it answers
- * @param input the engine's input, which tells where each body was
+ * @param input the engine's input, with the place of each body
  * @param meshes the meshes that it shows
  * @param engine id of the engine that drew it
  * @param device name of the device
  * @param times of the steps
  * @param samples per pixel, including those of earlier pictures that it refines
+ * @param noise estimated standard error, relative to white; empty if it is unknown
  * @param number counts the pictures that the engine drew, shown or not
  * @param original number of the picture that this one repeats pixel by pixel; its own if it repeats none
  * @param finishedNanos by {@link System#nanoTime}
@@ -31,13 +33,14 @@ public record DrawnPicture(
         String device,
         FrameTimes times,
         int samples,
+        OptionalDouble noise,
         long number,
         long original,
         long finishedNanos) {
     /** A copy with another frame that has the same pixels. */
     DrawnPicture in(Frame other) {
         return new DrawnPicture(
-                other, request, input, meshes, engine, device, times, samples, number, original, finishedNanos);
+                other, request, input, meshes, engine, device, times, samples, noise, number, original, finishedNanos);
     }
 
     /** Maps a body's number in the input to its number in the scene, see {@link BodyNumber}. */

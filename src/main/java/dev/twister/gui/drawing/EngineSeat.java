@@ -14,7 +14,7 @@ import java.util.concurrent.Executors;
 
 /**
  * The engine that draws, and its successor. The successor is opened and draws its first frames, which wait for
- * compilers, on another thread while the old engine goes on drawing. Used only by the drawing thread.
+ * compilers, on another thread while the old engine continues to render. Used only by the drawing thread.
  */
 final class EngineSeat implements AutoCloseable {
     private final EngineOffer substitute;

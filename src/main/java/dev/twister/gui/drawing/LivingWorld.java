@@ -35,7 +35,7 @@ final class LivingWorld implements AutoCloseable {
     /**
      * A world of nothing.
      *
-     * @param newest the scene that is asked for by now; empty where none is
+     * @param newest the scene requested meanwhile; empty if none was
      */
     LivingWorld(SkyShelf skies, MeshShelf meshes, Supplier<Optional<Scene>> newest) {
         this.skies = skies;
@@ -77,12 +77,12 @@ final class LivingWorld implements AutoCloseable {
                 .orElseGet(() -> new SceneImages(sky, textures.of(shown, atHand)));
     }
 
-    /** The meshes that the last snapshot shows, where its scene has them. */
+    /** The meshes of the last snapshot, if its scene has any. */
     SceneMeshes meshes() {
         return shownMeshes;
     }
 
-    /** Why the scene's own sky, a mesh or a texture is not seen, where it is not. */
+    /** Why the scene's sky, a mesh or a texture is not shown, if one is not. */
     Optional<String> complaint() {
         return complaint.or(() -> scene.flatMap(meshes::complaint)).or(textures::complaint);
     }
@@ -93,7 +93,7 @@ final class LivingWorld implements AutoCloseable {
         moving.close();
     }
 
-    /** Takes the sky of that file; where it cannot be read, the one before it stays. Whether it is another one now. */
+    /** Reads the sky's file; if that fails, the previous sky stays. Returns whether the sky has changed. */
     private boolean chooseSky(Path file) {
         long edition = skies.edition(file);
         if (edition == skyEdition && skyFile.filter(file::equals).isPresent()) {

@@ -47,21 +47,18 @@ public final class MeshShelf {
         this.reader = reader;
     }
 
-    /**
-     * Keeps a file that was read already for the scene that is opened next, or edited to have it, where it is not at
-     * hand.
-     */
+    /** Keeps a file that was already read for the next scene or edit that names it, unless it is loaded. */
     public synchronized void keep(Mesh mesh, MeshFile file) {
         kept = Optional.of(new Kept(Source.of(mesh), file)).filter(one -> !meshBySource.containsKey(one.source()));
-        // Read anew, it can be had whatever was wrong with it before.
+        // It was read, so earlier complaints about it no longer hold.
         complaints.remove(Source.of(mesh));
     }
 
     /**
-     * The meshes that are at hand; others of the scene's are being read from then on.
+     * The loaded meshes; starts reading the scene's other ones.
      *
-     * @param newDocument counts up with each scene that is opened, whose files are read anew; of an older one nothing
-     *     is at hand
+     * @param newDocument grows with each opened scene, whose files are read again; meshes of an older one are not
+     *     available
      */
     synchronized SceneMeshes of(Scene scene, long newDocument) {
         if (newDocument < document) {
@@ -77,14 +74,12 @@ public final class MeshShelf {
         return held;
     }
 
-    /** Changes with what is at hand, or is known of it. */
+    /** Changes when a mesh is loaded or fails to load. */
     public long edition() {
         return edition;
     }
 
-    /**
-     * What a scene's meshes are read for, and how far that is, such as {@code knot.obj (1 of 3)}; empty where none is.
-     */
+    /** The mesh that is being read, such as {@code knot.obj (1 of 3)}; empty if none is. */
     public synchronized Optional<String> progress() {
         return task.map(now -> now.progress);
     }
@@ -93,13 +88,13 @@ public final class MeshShelf {
     public synchronized void cancel() {
         task.ifPresent(canceled -> {
             canceled.missing.forEach(mesh -> complaints.put(
-                    Source.of(mesh), mesh.file() + ": reading was canceled; open the scene again to see it"));
+                    Source.of(mesh), mesh.geometry() + ": reading was canceled; open the scene again to see it"));
             task = Optional.empty();
             edition++;
         });
     }
 
-    /** Why a mesh of the scene is not seen, where one is not. */
+    /** Why a mesh of the scene is not shown, if one is not. */
     synchronized Optional<String> complaint(Scene scene) {
         return scene.meshes().stream()
                 .map(Source::of)
@@ -163,11 +158,11 @@ public final class MeshShelf {
         } catch (MeshException problem) {
             meshes.forEach(mesh -> problems.put(Source.of(mesh), problem.getMessage()));
         } catch (OutOfMemoryError _) {
-            meshes.forEach(
-                    mesh -> problems.put(Source.of(mesh), mesh.file() + ": there is not enough memory for this mesh"));
+            meshes.forEach(mesh ->
+                    problems.put(Source.of(mesh), mesh.geometry() + ": there is not enough memory for this mesh"));
         } catch (RuntimeException | Error problem) {
             meshes.forEach(
-                    mesh -> problems.put(Source.of(mesh), mesh.file() + ": this mesh cannot be read: " + problem));
+                    mesh -> problems.put(Source.of(mesh), mesh.geometry() + ": this mesh cannot be read: " + problem));
         }
     }
 
@@ -213,6 +208,6 @@ public final class MeshShelf {
     }
 
     private static String name(Mesh mesh) {
-        return String.valueOf(mesh.file().getFileName());
+        return mesh.geometry().name();
     }
 }

@@ -3,7 +3,8 @@ package dev.twister.gui.drawing;
 /**
  * Whether and how bodies move.
  *
- * @param start counts the starts; a new number starts the bodies anew from their places in the scene; 0 for no motion
+ * @param start the number of the start; a new number restarts the bodies from their places in the scene; 0 for no
+ *     motion
  * @param running whether time passes
  * @param steps number of single steps since the start
  */

@@ -10,6 +10,7 @@ import dev.twister.world.FrameInput;
 import dev.twister.world.Picture;
 import java.nio.IntBuffer;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiPredicate;
 import java.util.function.Consumer;
@@ -26,6 +27,9 @@ final class PictureWork implements AutoCloseable {
 
     /** A refined picture with fewer samples may look worse than the plain one. */
     private static final int FEWEST_REFINED_SAMPLES = 4;
+
+    /** The same in path tracing, where the plain picture has one sample. */
+    private static final int FEWEST_TRACED_SAMPLES = 2;
 
     /** Time between two published pictures that hardly differ: publishing each would take time from drawing. */
     private static final long REFINED_EVERY_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
@@ -51,7 +55,7 @@ final class PictureWork implements AutoCloseable {
     private Optional<Engine> drawer = Optional.empty();
     private Optional<RefinedPicture> refined = Optional.empty();
 
-    /** Edition of the sky in the gathered samples: the file may have been read anew since. */
+    /** The sky's version in the gathered samples: its file may have been read again since. */
     private float[] refinedSky = {};
 
     private Optional<Frame> pass = Optional.empty();
@@ -59,9 +63,16 @@ final class PictureWork implements AutoCloseable {
     private Optional<DrawnPicture> last = Optional.empty();
     private volatile Optional<Consumer<DrawnPicture>> watcher = Optional.empty();
 
+    /** Samples per pixel, and their noise if it is estimated. */
+    private record Gathered(int samples, OptionalDouble noise) {
+        static Gathered of(FrameInput seen) {
+            return new Gathered(seen.samplesPerPixel(), OptionalDouble.empty());
+        }
+    }
+
     /**
      * @param newest the newest request; empty if nothing is to be drawn
-     * @param whenReady called on another thread when there may be something to do for an answered request
+     * @param whenReady called on another thread when an answered request may have new work
      */
     PictureWork(
             PictureExchange exchange,
@@ -97,9 +108,10 @@ final class PictureWork implements AutoCloseable {
     }
 
     /** Numbers need one sample: the mean of two bodies' numbers is the number of a third. */
-    private static FrameInput showing(Picture shown, FrameInput input) {
+    private FrameInput showing(Picture shown, FrameInput input) {
         if (shown == Picture.REFLECTIONS) {
-            return input;
+            // A sample takes long; at rest, more of them are gathered.
+            return input.tracesPaths() && watcher.isEmpty() ? input.withSamples(0, 1) : input;
         }
         return shown.isColor() ? input.showing(shown) : input.showing(shown).withSamples(0, 1);
     }
@@ -164,8 +176,7 @@ final class PictureWork implements AutoCloseable {
     Optional<float[]> radiance(DrawnPicture picture) {
         return refined.filter(held -> isAtWork(picture.request())
                         && held.fits(picture.frame().width(), picture.frame().height())
-                        && held.samples()
-                                > picture.request().scene().rendering().samplesPerPixel()
+                        && held.samples() > picture.input().samplesPerPixel()
                         && held.samples() >= picture.samples())
                 .map(RefinedPicture::radiance);
     }
@@ -193,6 +204,9 @@ final class PictureWork implements AutoCloseable {
             coarseness /= 2;
             return true;
         }
+        if (isPreview(wanted) && drawQuickly(wanted, engine)) {
+            return true;
+        }
         if (!drawn && !quick && drawQuickly(wanted, engine)) {
             return true;
         }
@@ -210,10 +224,19 @@ final class PictureWork implements AutoCloseable {
         return refine(wanted, engine);
     }
 
+    /** Whether only smaller pictures are drawn if full ones take long: bodies move in path tracing. */
+    private boolean isPreview(DrawingRequest wanted) {
+        return wanted.motion().running() && input.tracesPaths() && watcher.isEmpty();
+    }
+
     /** Draws a smaller picture first if the full one is known to take long; returns whether it was drawn. */
     private boolean drawQuickly(DrawingRequest wanted, Engine engine) {
         boolean unknown = slowPictures.mayTakeLong(engine, input);
-        int divisor = unknown ? QuickAnswer.MOST : QuickAnswer.divisor(slowPictures.knownNanos(engine, input));
+        int divisor = unknown
+                ? QuickAnswer.MOST
+                : QuickAnswer.divisor(
+                        slowPictures.knownNanos(engine, input),
+                        input.tracesPaths() ? QuickAnswer.MOST_TRACED : QuickAnswer.MOST);
         if (divisor == 1) {
             return false;
         }
@@ -232,10 +255,10 @@ final class PictureWork implements AutoCloseable {
                 exchange.abandon(frame);
             }
         }
-        if (unknown) {
+        if (unknown || isPreview(wanted)) {
             slowPictures.guess(engine, input, (clock.getAsLong() - start) * divisor * divisor);
         }
-        finish(wanted, small, engine, frame, frame.times(), small.samplesPerPixel(), false);
+        finish(wanted, small, engine, frame, frame.times(), Gathered.of(small), false);
         return true;
     }
 
@@ -260,7 +283,7 @@ final class PictureWork implements AutoCloseable {
             }
         }
         if (whole) {
-            finish(wanted, seen, engine, frame, frame.times(), seen.samplesPerPixel(), again);
+            finish(wanted, seen, engine, frame, frame.times(), Gathered.of(seen), again);
         }
         return whole;
     }
@@ -306,8 +329,10 @@ final class PictureWork implements AutoCloseable {
     }
 
     private boolean refine(DrawingRequest wanted, Engine engine) {
-        RefinedPicture picture = refined.filter(old -> old.limit() == wanted.refineTo())
-                .orElseGet(() -> new RefinedPicture(wanted.width(), wanted.height(), wanted.refineTo()));
+        RefinedPicture picture = refined.filter(
+                        old -> old.limit() == wanted.refineTo() && old.isEstimated() == input.tracesPaths())
+                .orElseGet(() ->
+                        new RefinedPicture(wanted.width(), wanted.height(), wanted.refineTo(), input.tracesPaths()));
         refined = Optional.of(picture);
         refinedSky = input.images();
         if (picture.isDone()) {
@@ -320,12 +345,16 @@ final class PictureWork implements AutoCloseable {
             return true;
         }
         picture.add(linear, samples);
-        if (picture.isDone() || (picture.samples() >= FEWEST_REFINED_SAMPLES && isToBeSeen())) {
+        if (picture.isDone() || (picture.samples() >= fewestRefined() && isToBeSeen())) {
             showRefined(wanted, engine);
         } else {
             pictures++;
         }
         return !picture.isDone();
+    }
+
+    private int fewestRefined() {
+        return input.tracesPaths() ? FEWEST_TRACED_SAMPLES : FEWEST_REFINED_SAMPLES;
     }
 
     private void showRefined(DrawingRequest wanted, Engine engine) {
@@ -337,7 +366,7 @@ final class PictureWork implements AutoCloseable {
             NumberColors.paint(wanted.shown(), picture.radiance(), frame.argb());
         }
         FrameTimes times = pass.map(Frame::times).orElse(FrameTimes.NONE);
-        finish(wanted, input, engine, frame, times, picture.samples(), false);
+        finish(wanted, input, engine, frame, times, new Gathered(picture.samples(), picture.noise(input)), false);
     }
 
     /** Whether to abandon a refining pass: any new request counts, because a pass is not shown by itself. */
@@ -349,7 +378,7 @@ final class PictureWork implements AutoCloseable {
     private boolean isToBeSeen() {
         return watcher.isPresent()
                 || last.filter(old -> isAtWork(old.request())
-                                && old.samples() >= FEWEST_REFINED_SAMPLES
+                                && old.samples() >= fewestRefined()
                                 && clock.getAsLong() - old.finishedNanos() < REFINED_EVERY_NANOS)
                         .isEmpty();
     }
@@ -360,7 +389,7 @@ final class PictureWork implements AutoCloseable {
             Engine engine,
             Frame frame,
             FrameTimes times,
-            int samples,
+            Gathered gathered,
             boolean again) {
         pictures++;
         // The engine may have switched during the call that drew.
@@ -377,7 +406,8 @@ final class PictureWork implements AutoCloseable {
                 engine.id(),
                 engine.device(),
                 times,
-                samples,
+                gathered.samples(),
+                gathered.noise(),
                 pictures,
                 original,
                 clock.getAsLong());

@@ -12,16 +12,20 @@ final class QuickAnswer {
 
     static final int MOST = 8;
 
+    /** In path tracing. */
+    static final int MOST_TRACED = 16;
+
     private QuickAnswer() {}
 
     /**
      * Divisor of the sides of the first picture: 1 if the full picture is fast enough or its time is unknown.
      *
      * @param nanos time of the full picture; 0 if unknown
+     * @param most the largest divisor
      */
-    static int divisor(long nanos) {
+    static int divisor(long nanos, int most) {
         int divisor = 1;
-        while (nanos > LONG_NANOS && divisor < MOST && nanos / divisor / divisor > QUICK_NANOS) {
+        while (nanos > LONG_NANOS && divisor < most && nanos / divisor / divisor > QUICK_NANOS) {
             divisor *= 2;
         }
         return divisor;

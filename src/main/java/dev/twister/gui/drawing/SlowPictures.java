@@ -37,7 +37,15 @@ final class SlowPictures {
      * The properties that decide the time per pixel and sample. Of a scene only the capacity for bodies and the meshes
      * count: edits add bodies one by one, which changes little.
      */
-    private record Work(Engine engine, int width, int rows, int room, int meshFloats, int shadowSamples, int bounces) {
+    private record Work(
+            Engine engine,
+            int width,
+            int rows,
+            int room,
+            int meshFloats,
+            int shadowSamples,
+            int bounces,
+            boolean traced) {
         static Work of(Engine engine, FrameInput input) {
             return new Work(
                     engine,
@@ -46,7 +54,8 @@ final class SlowPictures {
                     input.bodies().room(),
                     input.bodies().meshes().length,
                     input.shadowSamples(),
-                    input.bounces());
+                    input.bounces(),
+                    input.tracesPaths());
         }
     }
 
@@ -61,9 +70,11 @@ final class SlowPictures {
         return (long) (nanosARow(engine, input) * input.rows());
     }
 
-    /** Whether the time of a picture is unknown and its meshes may make it slow. */
+    /** Whether the time of a picture is unknown, and meshes or path tracing may make it slow. */
     boolean mayTakeLong(Engine engine, FrameInput input) {
-        return input.bodies().firstMesh() > 0 && isLeft(engine, input) && nanosARow(engine, input) == 0;
+        return (input.bodies().firstMesh() > 0 || input.tracesPaths())
+                && isLeft(engine, input)
+                && nanosARow(engine, input) == 0;
     }
 
     /** Assumes this time for a picture whose time is unknown. */

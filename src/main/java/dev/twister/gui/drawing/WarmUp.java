@@ -10,11 +10,11 @@ import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 
 /**
- * The first frames of an engine, which wait for compilers and are not shown.
+ * The first frames of an engine, during which it is compiled; they are not shown.
  *
  * @param whole what will be drawn
- * @param small the same with few pixels: the JVM compiles the same code for it, and before that an engine may be
- *     hundreds of times slower
+ * @param small the same with few pixels: it makes the JVM compile the same code, before which an engine may be hundreds
+ *     of times slower
  * @param clock in nanoseconds, as {@link System#nanoTime}
  */
 record WarmUp(FrameInput whole, FrameInput small, LongSupplier clock) {

@@ -20,7 +20,7 @@ public final class Autosave implements AutoCloseable {
 
     /**
      * @param lock holds the lock of that file
-     * @param file where the edited scene is, or is to be
+     * @param file the file of the edited scene, which may not exist yet
      */
     Autosave(Path lockFile, FileChannel lock, Path file, EditedFile edited) {
         this.lockFile = lockFile;
@@ -39,7 +39,7 @@ public final class Autosave implements AutoCloseable {
         return file;
     }
 
-    /** When the edits were written last; the epoch where the system does not say. */
+    /** When the edits were last written; the epoch if the system does not know. */
     public Instant written() {
         try {
             return Files.getLastModifiedTime(file).toInstant();

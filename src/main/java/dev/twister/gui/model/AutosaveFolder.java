@@ -23,16 +23,16 @@ import java.util.Optional;
 import java.util.UUID;
 
 /**
- * Where unsaved edits outlive a process that is killed: a scene's file for each, and beside it one that says what was
- * edited and is locked as long as the process lives that edits it. Several processes share the folder.
+ * The folder in which unsaved edits outlive a killed process. Each has a scene file and a second file that names what
+ * was edited and is locked while the editing process lives. Several processes share the folder.
  *
- * @param folder made when it is first needed; empty where this user has no such place, and then nothing is kept
+ * @param folder created when first needed; empty if this user has none, and then nothing is kept
  */
 public record AutosaveFolder(Optional<Path> folder) {
     private static final String SCENE = ".json";
     private static final String LOCK = ".lock";
 
-    /** Far more than it takes to lock what was made, and to write the scene beside it. */
+    /** Much longer than it takes to lock the new file and to write its scene. */
     private static final Duration BEGUN = Duration.ofMinutes(10);
 
     public static AutosaveFolder ofThisUser() {
@@ -42,7 +42,7 @@ public record AutosaveFolder(Optional<Path> folder) {
     /**
      * A place for unsaved edits of a file, nothing written there yet.
      *
-     * @throws IOException where there can be none
+     * @throws IOException if it cannot be created
      */
     public Autosave begin(EditedFile edited) throws IOException {
         Path place = folder.orElseThrow(() -> new IOException("this user has no folder for it"));

@@ -16,7 +16,7 @@ public enum Axis {
         this.direction = direction;
     }
 
-    /** As a person writes it. */
+    /** The axis's displayed name. */
     public String label() {
         return name().toLowerCase(Locale.ROOT);
     }

@@ -7,8 +7,8 @@ import java.util.List;
 /**
  * Where the handle is seen by which a body is moved along an axis, in pixels of the picture.
  *
- * @param middle of the body, where no handle begins
- * @param tip where the handle's arrow ends
+ * @param middle the body's center; handles start outside of it
+ * @param tip the end of the handle's arrow
  */
 public record AxisHandle(Axis axis, Point middle, Point tip) {
     /** Of the length: the middle of a small body stays free. */

@@ -7,19 +7,20 @@ import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** The bodies that a person can choose from by name. */
+/** The bodies that the user can choose by name. */
 public final class BodyChoices {
-    /** Of more spheres or meshes, only the selected ones are listed, and no more of those. */
+    /** Of more lights, spheres or meshes, only the selected ones are listed, and no more of those. */
     private static final int MOST = 1000;
 
     private BodyChoices() {}
 
-    /** The light, the plane, then the spheres and the meshes in the scene's order; last a poured sphere. */
+    /** The lights, the plane, then the spheres and the meshes in the scene's order; last a poured sphere. */
     public static List<Integer> of(Scene scene, SelectedBodies selected) {
         int spheres = scene.spheres().size();
         int meshes = scene.meshes().size();
         return Stream.of(
-                        Stream.of(BodyNumber.LIGHT, BodyNumber.PLANE),
+                        some(scene.lights().count(), BodyNumber::ofLight, selected),
+                        Stream.of(BodyNumber.PLANE),
                         some(spheres, BodyNumber::ofSphere, selected),
                         some(meshes, BodyNumber::ofMesh, selected),
                         selected.bodies().stream().filter(body -> BodyEdits.isPoured(scene, body)))
@@ -33,8 +34,8 @@ public final class BodyChoices {
     }
 
     /**
-     * Such as {@code Sphere 3, glass} or {@code Mesh 1 (knot.obj), glass}: with the name of its material, where it has
-     * one.
+     * The displayed name, with that of the body's material if it has one: {@code Sphere 3, glass} or {@code Mesh 1
+     * (knot.obj), glass}.
      */
     public static String name(Scene scene, int body) {
         if (BodyEdits.isPoured(scene, body)) {
@@ -51,15 +52,17 @@ public final class BodyChoices {
                         .orElse("");
     }
 
-    /** The name without the material's: {@code Sphere 3} or {@code Mesh 1 (knot.obj)}. */
+    /** The name without the material's: {@code Light 2}, {@code Sphere 3} or {@code Mesh 1 (knot.obj)}. */
     public static String title(Scene scene, int body) {
         if (BodyEdits.isMesh(scene, body)) {
             return "Mesh " + (BodyNumber.mesh(body) + 1) + " ("
-                    + BodyEdits.mesh(scene, body).file().getFileName() + ")";
+                    + BodyEdits.mesh(scene, body).geometry().name() + ")";
+        }
+        if (BodyEdits.isLight(scene, body)) {
+            return scene.lights().count() == 1 ? "Light" : "Light " + (BodyNumber.light(body) + 1);
         }
         return switch (body) {
             case BodyNumber.NONE -> "Nothing";
-            case BodyNumber.LIGHT -> "Light";
             case BodyNumber.PLANE -> "Plane";
             default -> "Sphere " + (BodyNumber.sphere(body) + 1);
         };

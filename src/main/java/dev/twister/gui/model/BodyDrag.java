@@ -58,7 +58,7 @@ public final class BodyDrag {
         double across = 1 - cosine * cosine;
         double forward = away.dot(direction);
         double meters = (cosine * forward - axis.of(away)) / across;
-        // Behind the camera, the lines come nearest where nobody points.
+        // Behind the camera the nearest point does not correspond to the pointer.
         boolean seen = across > LEAST_ACROSS && forward + meters * cosine > 0;
         return seen ? SceneLimits.POSITION.clamp(axis.from(place, meters)) : place;
     }

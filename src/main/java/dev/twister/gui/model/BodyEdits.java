@@ -1,6 +1,7 @@
 package dev.twister.gui.model;
 
 import dev.twister.scene.Body;
+import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Pour;
@@ -19,6 +20,12 @@ import java.util.stream.Stream;
 /** Edits of a scene's bodies, by their {@link BodyNumber}. */
 public final class BodyEdits {
     private BodyEdits() {}
+
+    /** Whether a scene has a light of that number. */
+    public static boolean isLight(Scene scene, int body) {
+        int index = BodyNumber.light(body);
+        return index >= 0 && index < scene.lights().count();
+    }
 
     /** Whether a scene has a sphere of that number. */
     public static boolean isSphere(Scene scene, int body) {
@@ -43,9 +50,9 @@ public final class BodyEdits {
         return index >= 0 && index < scene.pour().map(Pour::count).orElse(0);
     }
 
-    /** Whether the body can be selected and edited: the light, the plane, the spheres and the meshes. */
+    /** Whether the body can be selected and edited: the lights, the plane, the spheres and the meshes. */
     public static boolean isEditable(Scene scene, int body) {
-        return body == BodyNumber.LIGHT || body == BodyNumber.PLANE || isSolid(scene, body);
+        return isLight(scene, body) || body == BodyNumber.PLANE || isSolid(scene, body);
     }
 
     /** Whether the body can be selected: an editable one, or a sphere that is poured. */
@@ -53,51 +60,78 @@ public final class BodyEdits {
         return isEditable(scene, body) || isPoured(scene, body);
     }
 
-    /** Whether the body can be taken and moved: the light, the spheres and the meshes. */
+    /** Whether the body can be taken and moved: the lights, the spheres and the meshes. */
     public static boolean isMovable(Scene scene, int body) {
-        return body == BodyNumber.LIGHT || isSolid(scene, body);
+        return isLight(scene, body) || isSolid(scene, body);
     }
 
     /**
-     * Whether a number may mean another body in the other scene: one of its kind has come or gone. There are always one
-     * light and one plane.
+     * Whether a number may mean another body in the other scene: one of its kind has come or gone.
      *
      * @param body of the first scene
      */
     public static boolean isRenumbered(Scene scene, Scene other, int body) {
-        return isMesh(scene, body)
-                ? scene.meshes().size() != other.meshes().size()
+        if (isMesh(scene, body)) {
+            return scene.meshes().size() != other.meshes().size();
+        }
+        return isLight(scene, body)
+                ? scene.lights().count() != other.lights().count()
                 : BodyNumber.sphere(body) >= 0
                         && scene.spheres().size() != other.spheres().size();
     }
 
     /**
-     * The body that number of steps on in the round of nothing, the light, the plane, all spheres and all meshes in
+     * The body that number of steps on in the round of nothing, all lights, the plane, all spheres and all meshes in
      * their order.
      *
-     * @param body where the round begins: {@link BodyNumber#NONE} or an editable body
-     * @param steps back where they are negative
+     * @param body where the cycle starts: {@link BodyNumber#NONE} or an editable body
+     * @param steps backward if negative
      */
     public static int along(Scene scene, int body, int steps) {
-        int spheres = scene.spheres().size();
-        // In the order of their numbers, of which that of nothing comes first.
-        int firstMesh = BodyNumber.ofSphere(spheres) - BodyNumber.NONE;
-        int from = !isEditable(scene, body)
-                ? 0
-                : isMesh(scene, body) ? firstMesh + BodyNumber.mesh(body) : body - BodyNumber.NONE;
-        int to = Math.floorMod(from + steps, firstMesh + scene.meshes().size());
-        return to < firstMesh ? BodyNumber.NONE + to : BodyNumber.ofMesh(to - firstMesh);
+        int plane = 1 + scene.lights().count();
+        int firstMesh = plane + 1 + scene.spheres().size();
+        int to = Math.floorMod(
+                placeInRound(scene, body) + steps, firstMesh + scene.meshes().size());
+        if (to == 0) {
+            return BodyNumber.NONE;
+        }
+        if (to <= plane) {
+            return to < plane ? BodyNumber.ofLight(to - 1) : BodyNumber.PLANE;
+        }
+        return to < firstMesh ? BodyNumber.ofSphere(to - plane - 1) : BodyNumber.ofMesh(to - firstMesh);
     }
 
-    /** All movable bodies: the light, the spheres and the meshes in the scene's order. */
+    private static int placeInRound(Scene scene, int body) {
+        int plane = 1 + scene.lights().count();
+        if (!isEditable(scene, body)) {
+            return 0;
+        }
+        if (isLight(scene, body)) {
+            return 1 + BodyNumber.light(body);
+        }
+        return isMesh(scene, body)
+                ? plane + 1 + scene.spheres().size() + BodyNumber.mesh(body)
+                : plane + body - BodyNumber.PLANE;
+    }
+
+    /** All movable bodies: the lights, the spheres and the meshes in the scene's order. */
     public static List<Integer> movable(Scene scene) {
         return Stream.of(
-                        IntStream.of(BodyNumber.LIGHT),
+                        IntStream.range(0, scene.lights().count()).map(BodyNumber::ofLight),
                         IntStream.range(0, scene.spheres().size()).map(BodyNumber::ofSphere),
                         IntStream.range(0, scene.meshes().size()).map(BodyNumber::ofMesh))
                 .flatMapToInt(numbers -> numbers)
                 .boxed()
                 .toList();
+    }
+
+    public static Light light(Scene scene, int body) {
+        return scene.lights().get(BodyNumber.light(body));
+    }
+
+    /** The scene with another light in place of one. */
+    public static Scene withLight(Scene scene, int body, Light light) {
+        return scene.withLights(scene.lights().with(BodyNumber.light(body), light));
     }
 
     public static Sphere sphere(Scene scene, int body) {
@@ -113,10 +147,10 @@ public final class BodyEdits {
         return isMesh(scene, body) ? mesh(scene, body) : sphere(scene, body);
     }
 
-    /** The place of a movable body: the center of the light or a sphere, the origin of a mesh's file. */
+    /** The place of a movable body: the center of a light or a sphere, the origin of a mesh's file. */
     public static Vector3 position(Scene scene, int body) {
-        return body == BodyNumber.LIGHT
-                ? scene.lights().first().position()
+        return isLight(scene, body)
+                ? light(scene, body).position()
                 : solid(scene, body).position();
     }
 
@@ -132,9 +166,13 @@ public final class BodyEdits {
                 positions.keySet(),
                 (body, sphere) -> sphere.withPosition(positions.get(body)),
                 (body, mesh) -> mesh.withPosition(positions.get(body)));
-        return positions.containsKey(BodyNumber.LIGHT)
-                ? moved.withLights(Lights.of(scene.lights().first().withPosition(positions.get(BodyNumber.LIGHT))))
-                : moved;
+        for (Map.Entry<Integer, Vector3> place : positions.entrySet()) {
+            if (isLight(scene, place.getKey())) {
+                Light light = light(scene, place.getKey()).withPosition(place.getValue());
+                moved = withLight(moved, place.getKey(), light);
+            }
+        }
+        return moved;
     }
 
     /** The numbers of the last bodies of a scene, which were added in this order. */
@@ -152,13 +190,22 @@ public final class BodyEdits {
         return numbers;
     }
 
-    /** The scene without a sphere or a mesh. */
+    /** The scene without a body. */
     public static Scene deleted(Scene scene, int body) {
         return deleted(scene, Set.of(body));
     }
 
-    /** The scene without those spheres and meshes. */
+    /** The scene without those lights, spheres and meshes; the first light stays where all are among them. */
     public static Scene deleted(Scene scene, Set<Integer> bodies) {
+        List<Light> lights = new ArrayList<>();
+        for (int index = 0; index < scene.lights().count(); index++) {
+            if (!bodies.contains(BodyNumber.ofLight(index))) {
+                lights.add(scene.lights().get(index));
+            }
+        }
+        if (lights.isEmpty()) {
+            lights.add(scene.lights().first());
+        }
         List<Sphere> spheres = new ArrayList<>();
         for (int index = 0; index < scene.spheres().size(); index++) {
             if (!bodies.contains(BodyNumber.ofSphere(index))) {
@@ -171,7 +218,22 @@ public final class BodyEdits {
                 meshes.add(scene.meshes().get(index));
             }
         }
-        return scene.withSpheres(spheres).withMeshes(meshes);
+        Scene rest = scene.withSpheres(spheres).withMeshes(meshes);
+        // Lights that stay the same ones are compared at once.
+        return lights.size() == scene.lights().count() ? rest : rest.withLights(new Lights(lights));
+    }
+
+    /** Those of the bodies that can be deleted: spheres, meshes, and lights, but not the last one. */
+    public static SelectedBodies deletable(Scene scene, SelectedBodies bodies) {
+        long lights =
+                bodies.bodies().stream().filter(body -> isLight(scene, body)).count();
+        int kept = lights == scene.lights().count() ? BodyNumber.LIGHT : BodyNumber.NONE;
+        return bodies.where(body -> isSolid(scene, body) || (isLight(scene, body) && body != kept));
+    }
+
+    /** Such as {@code light}, {@code sphere} or {@code mesh}. */
+    public static String kind(Scene scene, int body) {
+        return isLight(scene, body) ? "light" : solid(scene, body).kind();
     }
 
     /** The scene with changes of those of the bodies that are spheres or meshes, each told its body's number. */

@@ -18,14 +18,14 @@ public record BodyExtent(Vector3 middle, double radius, double halfWidth) {
     /** Where a mesh has not been read yet. */
     private static final double UNKNOWN = 1;
 
-    /** A copy beside it does not touch it. */
+    /** The distance at which a copy does not touch the body. */
     private static final double APART = 2.2;
 
     /** That of a movable body. */
     public static BodyExtent of(Scene scene, SceneMeshes meshes, int body) {
         if (!BodyEdits.isMesh(scene, body)) {
-            double radius = body == BodyNumber.LIGHT
-                    ? scene.lights().first().radius()
+            double radius = BodyEdits.isLight(scene, body)
+                    ? BodyEdits.light(scene, body).radius()
                     : BodyEdits.sphere(scene, body).radius();
             return new BodyExtent(BodyEdits.position(scene, body), radius, radius);
         }

@@ -5,9 +5,9 @@ import dev.twister.scene.CameraKeyframe;
 import java.util.List;
 
 /**
- * What of a camera belongs to the scene, wherever a person stands in it: its lens, and its keyframes.
+ * The part of a camera that does not depend on the view: its lens and its keyframes.
  *
- * @param aperture the lens's radius in meters; with 0 all is sharp
+ * @param aperture the lens's radius in meters; 0 for a pinhole, which is sharp everywhere
  * @param focusDistance in meters
  * @param keyframes of a film, each later than the one before
  */

@@ -11,10 +11,10 @@ final class CarriedSpheres {
     private CarriedSpheres() {}
 
     /**
-     * What the edit from the one list to the other makes of the present one: a sphere that it does not put elsewhere
-     * stays where it is at present.
+     * Applies the edit that turned one list into another to the present list: spheres that the edit does not move stay
+     * at their present places.
      *
-     * @param present those of {@code from}, one by one, where they are by now
+     * @param present the spheres of {@code from}, in the same order, at their present places
      */
     static List<Sphere> of(List<Sphere> from, List<Sphere> to, List<Sphere> present) {
         if (present.equals(from)) {

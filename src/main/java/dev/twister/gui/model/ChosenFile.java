@@ -5,15 +5,15 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * What is written where a person chose a name without the ending that the file's kind has. They were asked whether to
- * replace a file of the name they chose: one of the name with the ending is never replaced, but a number added.
+ * The file to write if the chosen name lacks the ending of its kind. The file dialog asked about replacing a file of
+ * the chosen name only, so a file of the name with the ending is never replaced: a number is added.
  */
 public final class ChosenFile {
     public static final String SCENE = ".json";
 
     private ChosenFile() {}
 
-    /** A scene's file: {@value #SCENE} is added where there is no ending at all. */
+    /** A scene's file: {@value #SCENE} is added to a name without any ending. */
     public static Path forScene(Path chosen) {
         String name = chosen.getFileName().toString();
         return name.contains(".") ? chosen : spared(chosen, chosen.resolveSibling(name + SCENE));
@@ -24,7 +24,7 @@ public final class ChosenFile {
         return spared(chosen, linear ? PictureFile.asHdr(chosen) : PictureFile.withEnding(chosen));
     }
 
-    /** A file of a kind that has that ending: it is added where the name has another one. */
+    /** A file of the kind with that ending, which is added to a name with another one. */
     public static Path withEnding(Path chosen, String ending) {
         String name = chosen.getFileName().toString();
         return name.toLowerCase(Locale.ROOT).endsWith(ending)

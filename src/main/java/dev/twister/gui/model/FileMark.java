@@ -13,7 +13,7 @@ import java.util.HexFormat;
 /**
  * Tells whether a file's content is still the same.
  *
- * @param digest SHA-256 of the content, in hexadecimal digits; empty where there is no file that can be read
+ * @param digest SHA-256 of the content, in hexadecimal digits; empty if no file can be read
  */
 public record FileMark(String digest) {
     /** No file that can be read. */

@@ -26,7 +26,7 @@ public enum FilmMotion {
         this.physics = physics;
     }
 
-    /** What can move in a scene; empty where nothing does. */
+    /** What can move in a scene; empty if nothing can. */
     public static List<FilmMotion> of(Scene scene) {
         boolean path = scene.camera().keyframes().size() >= FEWEST_KEYFRAMES;
         boolean bodies = !scene.spheres().isEmpty() || scene.pour().isPresent();
@@ -36,7 +36,7 @@ public enum FilmMotion {
                 .toList();
     }
 
-    /** The name for a person. */
+    /** The displayed name. */
     public String label() {
         return label;
     }

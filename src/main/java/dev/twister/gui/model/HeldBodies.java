@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.SequencedMap;
 import java.util.function.ToDoubleFunction;
 
-/** Bodies that are moved together, where they were when one of them was taken. */
+/** Bodies that are dragged together, at their places when the drag started. */
 public final class HeldBodies {
     private final SequencedMap<Integer, Vector3> places = new LinkedHashMap<>();
     private final int active;
@@ -19,7 +19,7 @@ public final class HeldBodies {
     /**
      * Takes what is movable of a selection, by its active body.
      *
-     * @param scene with the bodies where they are seen
+     * @param scene with the bodies at their displayed places
      */
     public HeldBodies(Scene scene, SelectedBodies selected) {
         active = selected.active();
@@ -29,7 +29,7 @@ public final class HeldBodies {
                 places.put(body, BodyEdits.position(scene, body));
             }
         }
-        // The group keeps its shape: it stops where the first body comes to the end of the scene's room.
+        // The group keeps its shape: it stops when the first body reaches the limit of the scene's coordinates.
         least = new Vector3(least(Vector3::x), least(Vector3::y), least(Vector3::z));
         most = new Vector3(most(Vector3::x), most(Vector3::y), most(Vector3::z));
     }

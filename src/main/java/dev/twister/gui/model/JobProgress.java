@@ -67,7 +67,7 @@ public final class JobProgress implements RenderProgress {
         check.run();
     }
 
-    /** The part that is done, in [0, 1]; empty where it is not known yet. */
+    /** The finished part, in [0, 1]; empty if not known yet. */
     public Optional<Double> part() {
         State now = state;
         return now.begun() ? Optional.of(part(now)) : Optional.empty();
@@ -77,7 +77,7 @@ public final class JobProgress implements RenderProgress {
         return (now.frame() + now.part()) / frames;
     }
 
-    /** The time left, counted down since it was known; empty where it is not. */
+    /** The time left, counted down from the last estimate; empty if there is none. */
     Optional<Duration> left() {
         State now = state;
         double part = part(now);
@@ -88,7 +88,7 @@ public final class JobProgress implements RenderProgress {
                         .map(left -> left.isNegative() ? Duration.ZERO : left);
     }
 
-    /** How far it is, for a person: {@code Frame 12 of 240 · 34 s left}. */
+    /** The progress as displayed text:{@code Frame 12 of 240 · 34 s left}. */
     public String text() {
         State now = state;
         if (!now.begun()) {

@@ -29,7 +29,7 @@ public final class KeyframeEdits {
         return BigDecimal.valueOf(time(seconds)).stripTrailingZeros().toPlainString();
     }
 
-    /** Reads a time that a person typed; empty where it is none that a keyframe may have. */
+    /** Parses a typed time; empty if a keyframe cannot have it. */
     public static Optional<Double> parse(String typed) {
         try {
             return Optional.of(new BigDecimal(typed.strip().replace(',', '.')).doubleValue())
@@ -47,7 +47,7 @@ public final class KeyframeEdits {
                 .findFirst();
     }
 
-    /** The scene whose camera has a keyframe where it is now; it takes the place of one at that time. */
+    /** The scene with a keyframe at the camera's present pose, which replaces one at the same time. */
     public static Scene set(Scene scene, double seconds) {
         Camera camera = scene.camera();
         List<CameraKeyframe> others = new ArrayList<>(camera.keyframes());
@@ -64,7 +64,7 @@ public final class KeyframeEdits {
         return with(scene, others);
     }
 
-    /** The scene with a keyframe at another time, which stays between those beside it. */
+    /** The scene with a keyframe moved to another time, which stays between its neighbors. */
     public static Scene moved(Scene scene, int index, double seconds) {
         List<CameraKeyframe> keyframes = new ArrayList<>(scene.camera().keyframes());
         double earliest = index == 0 ? 0 : keyframes.get(index - 1).seconds() + 1 / HUNDREDTHS;

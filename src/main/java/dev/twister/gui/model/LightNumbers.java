@@ -2,15 +2,16 @@ package dev.twister.gui.model;
 
 import dev.twister.gui.model.NumberScale.Spread;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;
 import java.util.List;
+import java.util.function.IntSupplier;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 
-/** The numbers of the light, and ambient light. */
+/** The numbers of a light, and ambient light. */
 public final class LightNumbers {
     public static final NumberProperty<Light> RADIUS = new NumberProperty<>(
             "Light size",
@@ -37,25 +38,50 @@ public final class LightNumbers {
             scene -> scene.shading().ambient(),
             (scene, ambient) -> scene.withShading(new Shading(ambient)));
 
-    /** The rows of the panel, in their order. */
-    public static final List<NumberProperty<Scene>> ALL = Stream.concat(
-                    Stream.of(
-                                    place(Axis.X, "The light's position from left to right.", "Alt+1"),
-                                    place(Axis.Y, "The light's height.", "Alt+2"),
-                                    place(Axis.Z, "The light's position from near to far.", "Alt+3"),
-                                    RADIUS,
-                                    STRENGTH)
-                            .map(LightNumbers::ofScene),
-                    Stream.of(AMBIENT))
-            .toList();
+    /** The rows of the panel for the first light, in their order. */
+    public static final List<NumberProperty<Scene>> ALL = of(() -> 0);
 
     private LightNumbers() {}
 
+    /**
+     * The rows of the panel, in their order.
+     *
+     * @param index place of the shown light in the scene's list
+     */
+    public static List<NumberProperty<Scene>> of(IntSupplier index) {
+        return Stream.concat(
+                        Stream.of(
+                                        place(Axis.X, "The light's position from left to right.", "Alt+1"),
+                                        place(Axis.Y, "The light's height.", "Alt+2"),
+                                        place(Axis.Z, "The light's position from near to far.", "Alt+3"),
+                                        RADIUS,
+                                        STRENGTH)
+                                .map(number -> ofScene(number, index)),
+                        Stream.of(AMBIENT))
+                .toList();
+    }
+
+    /** A number of the first light. */
     public static NumberProperty<Scene> ofScene(NumberProperty<Light> number) {
-        return number.in(
-                scene -> scene.lights().first(),
-                (scene, edit) ->
-                        scene.withLights(Lights.of(edit.apply(scene.lights().first()))));
+        return ofScene(number, () -> 0);
+    }
+
+    private static NumberProperty<Scene> ofScene(NumberProperty<Light> number, IntSupplier index) {
+        return number.in(scene -> light(scene, index), (scene, edit) -> edited(scene, index, edit));
+    }
+
+    /** The light at a place of the scene's list; the first where there is none. */
+    public static Light light(Scene scene, IntSupplier index) {
+        return scene.lights().get(present(scene, index));
+    }
+
+    /** The scene with that light edited. */
+    public static Scene edited(Scene scene, IntSupplier index, UnaryOperator<Light> edit) {
+        return scene.withLights(scene.lights().with(present(scene, index), edit.apply(light(scene, index))));
+    }
+
+    private static int present(Scene scene, IntSupplier index) {
+        return index.getAsInt() < scene.lights().count() ? index.getAsInt() : 0;
     }
 
     private static NumberProperty<Light> place(Axis axis, String hint, String key) {

@@ -28,7 +28,7 @@ public enum MaterialPreset {
         return label;
     }
 
-    /** The preset that a material has, whatever its color and texture; empty where it is another one. */
+    /** The preset that equals a material except for color and texture; empty if none does. */
     public static Optional<MaterialPreset> of(Material material) {
         return Arrays.stream(values())
                 .filter(preset -> preset.appliedTo(material).equals(material))

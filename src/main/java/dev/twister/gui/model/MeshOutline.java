@@ -7,12 +7,12 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 
-/** The line around a mesh as it is seen: without its hollows, the convex hull of its points in the picture. */
+/** The outline of a mesh in the picture: the convex hull of its projected points. */
 public final class MeshOutline {
     private MeshOutline() {}
 
     /**
-     * Corners of a polygon around a mesh: x and y of each in turn, in pixels of the picture. Empty where a point lies
+     * Corners of a polygon around a mesh: x and y of each in turn, in pixels of the picture. Empty if a point lies
      * behind the camera.
      *
      * @param farPoints of the mesh, as {@link dev.twister.world.SceneMeshes#farPoints} has them

@@ -16,8 +16,8 @@ public final class Mnemonics {
     private Mnemonics() {}
 
     /**
-     * A letter or digit of each label, in lower case, that none of the others has: the first one of a word where that
-     * is free. {@link #NONE} for a label that no letter is left for.
+     * A unique letter or digit for each label, in lower case, preferably the first of a word. {@link #NONE} if no
+     * letter is left.
      */
     public static List<Character> letters(List<String> labels) {
         char[] chosen = new char[labels.size()];
@@ -39,8 +39,8 @@ public final class Mnemonics {
     }
 
     /**
-     * The label as JavaFX parses it: with a mark before the letter, at a word's beginning where one begins with it; its
-     * own underscores stay underscores.
+     * The label with JavaFX's mnemonic mark before the letter, preferably at a word's start. Underscores of the label
+     * are escaped.
      */
     public static String marked(String label, char letter) {
         String lower = label.toLowerCase(Locale.ROOT);

@@ -3,13 +3,25 @@ package dev.twister.gui.model;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
+import java.util.Optional;
 
-/** The mesh that a person inserts: as large as a new sphere, and where that would be. */
+/** The mesh that the user inserts: of the size and at the place of a new sphere. */
 public final class NewMesh {
     private NewMesh() {}
+
+    /** A new shape of the usual proportions, made of what a new sphere would be. */
+    public static Mesh inFrontOf(FrameInput input, Scene scene, Shape.Kind kind) {
+        Sphere room = NewSphere.inFrontOf(input, scene);
+        Shape shape = Shape.of(kind, 2 * room.radius());
+        Vector3 up = new Vector3(0, shape.size().y() / 2 - room.radius(), 0);
+        return Mesh.of(shape)
+                .withMaterial(Optional.of(room.material()))
+                .withPosition(SceneLimits.POSITION.clamp(room.position().plus(up)));
+    }
 
     /**
      * The mesh with a place and a scale.
@@ -21,7 +33,7 @@ public final class NewMesh {
         Sphere room = NewSphere.inFrontOf(input, scene);
         double largest = Math.max(half.x(), Math.max(half.y(), half.z()));
         double scale = SceneLimits.SCALE.clamp(largest > 0 ? room.radius() / largest : 1);
-        // What is flat lies where the sphere would, rather than in its middle.
+        // A flat mesh lies on the ground, not at the sphere's center.
         Vector3 bottom = new Vector3(center.x(), center.y() - half.y(), center.z());
         Vector3 ground = room.position().minus(new Vector3(0, room.radius(), 0));
         return mesh.withScale(scale).withPosition(SceneLimits.POSITION.clamp(ground.minus(bottom.times(scale))));

@@ -8,7 +8,7 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 
-/** The sphere that a person inserts: in the middle of the picture, before what is seen there. */
+/** The sphere that the user inserts: in the middle of the picture, in front of what is visible there. */
 public final class NewSphere {
     private static final double RADIUS = 1.5;
     private static final double REFLECTIVITY = 32;

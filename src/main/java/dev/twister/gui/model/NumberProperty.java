@@ -6,7 +6,7 @@ import java.util.function.ToDoubleFunction;
 import java.util.function.UnaryOperator;
 
 /**
- * A number of a scene or of a part of it, and all that the panel knows about it. Lists of them are the tables from
+ * A numeric property of a scene or of a part of it, with all that the panel needs. Lists of them are the tables from
  * which the panel's rows are made.
  *
  * @param label such as "Shadow samples"

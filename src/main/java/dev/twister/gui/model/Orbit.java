@@ -56,7 +56,7 @@ public final class Orbit {
         return at(camera, pivot.plus(away.times(scale)));
     }
 
-    /** Looks the same way, from where a sphere fills most of the picture. */
+    /** Keeps the direction and moves to where a sphere fills most of the picture. */
     public static Camera framed(Camera camera, Vector3 center, double radius) {
         double half = Math.toRadians(camera.fieldOfViewDegrees()) / 2;
         return at(camera, Axes.of(camera).from(center, 0, 0, -ROOM * radius / Math.sin(half)));

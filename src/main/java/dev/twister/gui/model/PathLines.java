@@ -3,8 +3,8 @@ package dev.twister.gui.model;
 import dev.twister.explain.LightSample;
 import dev.twister.explain.PathStep;
 import dev.twister.explain.PixelPath;
-import dev.twister.explain.RayKind;
 import dev.twister.explain.ShadedSurface;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,6 +17,8 @@ public final class PathLines {
     /** Of a normal, as a share of the view ray. */
     private static final double NORMAL_LENGTH = 0.06;
 
+    private static final Rgb DARK = new Rgb(0, 0, 0);
+
     private PathLines() {}
 
     /** What a line is. */
@@ -24,6 +26,8 @@ public final class PathLines {
         VIEW,
         REFLECTED,
         REFRACTED,
+        /** By a matte surface, in path tracing. */
+        SCATTERED,
         NORMAL,
         /** A shadow ray along which all light comes. */
         LIT,
@@ -39,16 +43,22 @@ public final class PathLines {
     public static List<Line> of(PixelPath path) {
         List<Line> lines = new ArrayList<>();
         for (PathStep step : path.steps()) {
-            step.shading().ifPresent(shading -> shading.shadowRays().forEach(ray -> lines.add(shadow(shading, ray))));
+            step.shading()
+                    .ifPresent(shading -> shading.lights().stream()
+                            .flatMap(light -> light.shadowRays().stream())
+                            .forEach(ray -> lines.add(shadow(shading, ray))));
         }
         double normal = NORMAL_LENGTH * length(path.steps().getFirst());
         for (PathStep step : path.steps()) {
-            lines.add(new Line(kind(step.kind()), step.origin(), along(step.origin(), step.direction(), length(step))));
-            step.shading()
-                    .ifPresent(shading -> lines.add(
-                            new Line(Kind.NORMAL, shading.point(), along(shading.point(), shading.normal(), normal))));
+            lines.add(new Line(kind(step), step.origin(), along(step.origin(), step.direction(), length(step))));
+            step.shading().ifPresent(shading -> lines.add(normal(shading.point(), shading.normal(), normal)));
+            step.scattering().ifPresent(surface -> lines.add(normal(surface.point(), surface.normal(), normal)));
         }
         return lines;
+    }
+
+    private static Line normal(Vector3 point, Vector3 normal, double length) {
+        return new Line(Kind.NORMAL, point, along(point, normal, length));
     }
 
     private static Line shadow(ShadedSurface shading, LightSample ray) {
@@ -56,11 +66,13 @@ public final class PathLines {
         return new Line(kind, shading.point(), ray.target());
     }
 
-    private static Kind kind(RayKind ray) {
-        return switch (ray) {
+    private static Kind kind(PathStep step) {
+        return switch (step.kind()) {
             case VIEW -> Kind.VIEW;
             case REFLECTED -> Kind.REFLECTED;
             case REFRACTED -> Kind.REFRACTED;
+            case SCATTERED -> Kind.SCATTERED;
+            case EMITTER -> step.adds().equals(DARK) ? Kind.BLOCKED : Kind.LIT;
         };
     }
 

@@ -6,7 +6,7 @@ import java.util.Arrays;
  * How two pictures differ.
  *
  * @param largest of all pixels' and channels' differences, of 255
- * @param x of the pixel where it is, the first of them; 0 where there is none
+ * @param x of the first pixel with the largest difference; 0 if none differs
  * @param y as x
  * @param differing pixels that are more than 1 of 255 apart in any channel
  * @param pixels of each picture
@@ -21,7 +21,7 @@ public record PictureDifference(int largest, int x, int y, int differing, int pi
      * Compares pixels.
      *
      * @param width of both pictures
-     * @throws IllegalArgumentException where the pictures have not as many pixels
+     * @throws IllegalArgumentException if the pictures differ in their number of pixels
      */
     public static PictureDifference of(int[] one, int[] other, int width) {
         if (one.length != other.length) {

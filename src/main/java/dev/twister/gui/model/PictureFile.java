@@ -16,14 +16,14 @@ public final class PictureFile {
         return file.toString().toLowerCase(Locale.ROOT).endsWith(HDR);
     }
 
-    /** The file itself, or where its name ends in neither {@value #PNG} nor {@value #HDR}, with {@value #PNG} added. */
+    /** The file; if its name ends in neither {@value #PNG} nor {@value #HDR}, with {@value #PNG} added. */
     public static Path withEnding(Path file) {
         String name = file.getFileName().toString();
         boolean known = isLinear(file) || name.toLowerCase(Locale.ROOT).endsWith(PNG);
         return known ? file : file.resolveSibling(name + PNG);
     }
 
-    /** The file with the ending {@value #HDR}, in place of {@value #PNG} where it has that. */
+    /** The file with the ending {@value #HDR}, which replaces {@value #PNG}. */
     public static Path asHdr(Path file) {
         String name = file.getFileName().toString();
         boolean png = name.toLowerCase(Locale.ROOT).endsWith(PNG);

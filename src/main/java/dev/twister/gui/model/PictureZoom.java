@@ -1,9 +1,9 @@
 package dev.twister.gui.model;
 
 /**
- * Which part of a picture is seen, and how much larger than where all of it fits.
+ * The visible part of a picture and its magnification, relative to the size at which all of it fits.
  *
- * @param factor 1 where the picture fits the view, up to {@value #MOST}
+ * @param factor 1 if the picture fits the view, up to {@value #MOST}
  * @param centerX what is seen in the view's middle, as a share of the picture's width
  * @param centerY the same of its height
  */
@@ -17,7 +17,7 @@ public record PictureZoom(double factor, double centerX, double centerY) {
     private static final double LEAST = 1.01;
 
     /**
-     * A direction of the view: the picture's length there where it fits, and the view's.
+     * One axis of the view: the fitted picture's length along it, and the view's.
      *
      * @param fitted above 0
      * @param view above 0
@@ -64,7 +64,7 @@ public record PictureZoom(double factor, double centerX, double centerY) {
                 down.center(zoomed, down.share(factor, centerY, y), y));
     }
 
-    /** The picture moved with the pointer, as far as there is more of it. */
+    /** The picture moved with the pointer, up to its border. */
     public PictureZoom moved(Side across, double right, Side down, double lower) {
         return new PictureZoom(
                 factor,

@@ -44,7 +44,7 @@ public final class Projection {
         return camera[Layout.CAMERA_EYE_DISTANCE] / seen(place)[2] * Math.min(width, height) / 2;
     }
 
-    /** x and y of both ends of what is seen of a line; empty where it is behind the camera. */
+    /** x and y of both ends of a line's visible part; empty if it is behind the camera. */
     public double[] line(Vector3 from, Vector3 to) {
         double[] start = seen(from);
         double[] end = seen(to);

@@ -3,7 +3,7 @@ package dev.twister.gui.model;
 import dev.twister.scene.Rgb;
 
 /**
- * A light's color as a person sets it: a hue that a color chooser can show, and how strong it is.
+ * A light's color as the user sets it: a hue that a color chooser can show, and a strength.
  *
  * @param hue its largest channel is 1
  * @param strength 0 or more

@@ -1,11 +1,14 @@
 package dev.twister.gui.model;
 
+import dev.twister.engine.NoiseEstimate;
+import dev.twister.engine.NoiseEstimate.Half;
 import dev.twister.image.Frame;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.world.FrameInput;
 import java.nio.IntBuffer;
 import java.util.Arrays;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
 /**
@@ -22,24 +25,35 @@ public final class RefinedPicture {
     private final int height;
     private final int limit;
     private final float[] sums;
+
+    /** Of every second pass if the noise is estimated, else empty. */
+    private final float[] otherSums;
+
     private int samples;
+    private int otherSamples;
+    private int passes;
 
     /**
      * An empty picture.
      *
      * @param limit the samples a pixel at which it is done, 1 or more
+     * @param estimated whether to estimate the noise, which takes twice the memory
      */
-    public RefinedPicture(int width, int height, int limit) {
+    public RefinedPicture(int width, int height, int limit, boolean estimated) {
         this.width = width;
         this.height = height;
         this.limit = limit;
         sums = new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))];
+        otherSums = new float[estimated ? sums.length : 0];
     }
 
-    /** Starts anew: the scene, the camera or a setting that changes radiance has changed. */
+    /** Restarts: the scene, the camera or a setting that changes radiance has changed. */
     public void reset() {
         Arrays.fill(sums, 0);
+        Arrays.fill(otherSums, 0);
         samples = 0;
+        otherSamples = 0;
+        passes = 0;
     }
 
     /** The samples a pixel so far. */
@@ -49,6 +63,11 @@ public final class RefinedPicture {
 
     public int limit() {
         return limit;
+    }
+
+    /** Whether the noise is estimated. */
+    public boolean isEstimated() {
+        return otherSums.length > 0;
     }
 
     public boolean isDone() {
@@ -73,7 +92,7 @@ public final class RefinedPicture {
      * Adds a pass.
      *
      * @param pass linear, drawn from {@link #next} of as many samples
-     * @throws IllegalArgumentException where the frame is not linear or of another size
+     * @throws IllegalArgumentException if the frame is not linear or has another size
      */
     public void add(Frame pass, int passSamples) {
         if (!pass.isLinear() || !fits(pass.width(), pass.height())) {
@@ -81,13 +100,30 @@ public final class RefinedPicture {
                     + pass.width() + " x " + pass.height());
         }
         float[] radiance = pass.radiance();
+        boolean other = isEstimated() && passes % 2 == 1;
+        float[] half = other ? otherSums : sums;
         rows().forEach(row -> {
             int end = CHANNELS * width * (row + 1);
             for (int i = CHANNELS * width * row; i < end; i++) {
-                sums[i] += passSamples * radiance[i];
+                half[i] += passSamples * radiance[i];
             }
         });
         samples += passSamples;
+        otherSamples += other ? passSamples : 0;
+        passes++;
+    }
+
+    /**
+     * The estimated noise, relative to white; see {@link NoiseEstimate}. Empty if it is not estimated, or before the
+     * second pass.
+     *
+     * @param input whose exposure, tone map and sRGB curve count
+     */
+    public OptionalDouble noise(FrameInput input) {
+        return otherSamples == 0
+                ? OptionalDouble.empty()
+                : OptionalDouble.of(new NoiseEstimate(width, input.view().frame())
+                        .of(new Half(sums, samples - otherSamples), new Half(otherSums, otherSamples)));
     }
 
     /**
@@ -95,7 +131,7 @@ public final class RefinedPicture {
      *
      * @param input whose exposure, tone map and sRGB curve count, and nothing else
      * @param argb receives 0xAARRGGBB, row by row from the top, from index 0 on
-     * @throws IllegalStateException where no pass was added yet
+     * @throws IllegalStateException if no pass was added yet
      */
     public void show(FrameInput input, IntBuffer argb) {
         if (samples == 0) {
@@ -113,9 +149,9 @@ public final class RefinedPicture {
                 argb.put(
                         pixel,
                         Tone.OPAQUE
-                                | (Tone.quantized(sums[at] * average, exposureScale, toneMap, srgb) << 16)
-                                | (Tone.quantized(sums[at + 1] * average, exposureScale, toneMap, srgb) << 8)
-                                | Tone.quantized(sums[at + 2] * average, exposureScale, toneMap, srgb));
+                                | (Tone.quantized(sum(at) * average, exposureScale, toneMap, srgb) << 16)
+                                | (Tone.quantized(sum(at + 1) * average, exposureScale, toneMap, srgb) << 8)
+                                | Tone.quantized(sum(at + 2) * average, exposureScale, toneMap, srgb));
             }
         });
     }
@@ -127,10 +163,14 @@ public final class RefinedPicture {
         rows().forEach(row -> {
             int end = CHANNELS * width * (row + 1);
             for (int i = CHANNELS * width * row; i < end; i++) {
-                radiance[i] = sums[i] * average;
+                radiance[i] = sum(i) * average;
             }
         });
         return radiance;
+    }
+
+    private float sum(int value) {
+        return otherSums.length > 0 ? sums[value] + otherSums[value] : sums[value];
     }
 
     private IntStream rows() {

@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -10,12 +11,12 @@ public final class RefinementGoal {
     /** Smooths edges. */
     public static final int SHARP = 64;
 
-    /** Of a scene with a lens or rough surfaces: its noise is a 32nd of one sample's. */
+    /** Of a scene with a lens, rough surfaces or path tracing: its noise is a 32nd of one sample's. */
     public static final int NOISY = 1024;
 
     private RefinementGoal() {}
 
-    /** At least as many samples as the scene's settings have; one where numbers are shown, which it makes exact. */
+    /** At least the scene's own number of samples; one for views of numbers, which are exact with one sample. */
     public static int samples(Scene scene, Picture shown) {
         return shown.isColor() ? samples(scene) : 1;
     }
@@ -25,7 +26,8 @@ public final class RefinementGoal {
     }
 
     private static boolean isNoisy(Scene scene) {
-        return scene.camera().aperture() > 0
+        return scene.rendering().integrator() == Integrator.PATH
+                || scene.camera().aperture() > 0
                 || isRough(scene.ground().material())
                 || scene.pour().filter(pour -> isRough(pour.material())).isPresent()
                 || hasRoughSphere(scene)

@@ -34,7 +34,7 @@ public enum RenderFormat {
                 .toList();
     }
 
-    /** The name for a person. */
+    /** The displayed name. */
     public String label() {
         return label;
     }
@@ -49,7 +49,7 @@ public enum RenderFormat {
         return this == PNG_FRAMES || this == EXR_FRAMES;
     }
 
-    /** The name of a file of that stem, with the place of the number where files are numbered. */
+    /** The file name for a stem, with the number's placeholder if files are numbered. */
     public String fileName(String stem) {
         return stem + (isNumbered() ? "-####" : "") + ending;
     }

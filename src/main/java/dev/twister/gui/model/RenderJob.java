@@ -52,8 +52,8 @@ public final class RenderJob {
     }
 
     /**
-     * The file, or the first of numbered ones; or what went wrong, which is a {@link CancellationException} where the
-     * job was canceled. Completed on the job's thread.
+     * The file, or the first of numbered files; or the failure, which is a {@link CancellationException} if the job was
+     * canceled. Completed on the job's thread.
      */
     public CompletableFuture<Path> result() {
         return result;

@@ -18,7 +18,7 @@ public enum ResolutionMode {
         this.fixed = fixed;
     }
 
-    /** For a person, such as "720p". */
+    /** The displayed name, such as "720p". */
     public String label() {
         return fixed.map(PictureSize::name).orElse("window size");
     }

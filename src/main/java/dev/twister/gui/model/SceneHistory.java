@@ -13,9 +13,9 @@ import java.util.Set;
 
 /**
  * A scene with the edits that led to it, which can be taken back and made again. Successive edits of one gesture (a
- * drag, a slider's movement) count as one. Where the camera stands and looks is no edit: taking one back leaves the
- * viewer where they are; nor is where time has moved spheres. The field of view can be taken back, but is nothing to
- * save; the lens and the keyframes are both. Used by one thread.
+ * drag, a slider's movement) count as one. The camera's pose and places of spheres that physics moved are not edits:
+ * undo leaves them as they are. The field of view can be undone but does not make the scene unsaved; the lens and the
+ * keyframes do both. Used by one thread.
  */
 public final class SceneHistory {
     static final int MAX_STEPS = 1000;
@@ -79,7 +79,7 @@ public final class SceneHistory {
      * Makes an edit. One of the same name as the last belongs to the same gesture, until {@link #endGesture}; one that
      * changes nothing is none.
      *
-     * @param what names the edit to a person, such as "light's size"
+     * @param what the edit's displayed name, such as "light's size"
      */
     public void edit(String what, Scene edited) {
         if (edited.equals(present)) {
@@ -146,12 +146,12 @@ public final class SceneHistory {
         return Optional.ofNullable(future.peek()).map(Step::what);
     }
 
-    /** Takes the last edit back, where there is one. */
+    /** Undoes the last edit, if there is one. */
     public void undo() {
         step(past, future);
     }
 
-    /** Makes the edit again that was taken back last, where there is one. */
+    /** Redoes the edit that was undone last, if there is one. */
     public void redo() {
         step(future, past);
     }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Names of scenes' files as dialogs have them, and not of the schema beside them. */
+/** The file name patterns of scenes in dialogs, which leave out the schema. */
 public final class ScenePatterns {
     private static final String SCHEMA = ".schema";
 

@@ -7,10 +7,10 @@ import java.util.SequencedSet;
 import java.util.function.IntPredicate;
 
 /**
- * The bodies that a person works on, by their {@link BodyNumber}.
+ * The selected bodies, by their {@link BodyNumber}.
  *
  * @param bodies in the order in which they were selected
- * @param active the one of them whose numbers are shown; {@link BodyNumber#NONE} where none is selected
+ * @param active the body whose properties are shown; {@link BodyNumber#NONE} if none is selected
  */
 public record SelectedBodies(SequencedSet<Integer> bodies, int active) {
     public static final SelectedBodies NONE = new SelectedBodies(new LinkedHashSet<>(), BodyNumber.NONE);
@@ -18,7 +18,7 @@ public record SelectedBodies(SequencedSet<Integer> bodies, int active) {
     /**
      * Copies the bodies.
      *
-     * @throws IllegalArgumentException where the active body is none of them
+     * @throws IllegalArgumentException if the active body is not one of them
      */
     public SelectedBodies {
         if (bodies.isEmpty() ? active != BodyNumber.NONE : !bodies.contains(active)) {
@@ -27,7 +27,7 @@ public record SelectedBodies(SequencedSet<Integer> bodies, int active) {
         bodies = Collections.unmodifiableSequencedSet(new LinkedHashSet<>(bodies));
     }
 
-    /** That body alone; nothing where it is {@link BodyNumber#NONE}. */
+    /** The body alone; nothing if it is {@link BodyNumber#NONE}. */
     public static SelectedBodies of(int body) {
         return body == BodyNumber.NONE
                 ? NONE
@@ -63,7 +63,7 @@ public record SelectedBodies(SequencedSet<Integer> bodies, int active) {
         return new SelectedBodies(bodies, body);
     }
 
-    /** Those of them alone; where the active one is not kept, the last one is active. */
+    /** The bodies that match; if the active one does not, the last one becomes active. */
     public SelectedBodies where(IntPredicate kept) {
         SequencedSet<Integer> rest = new LinkedHashSet<>(bodies);
         rest.removeIf(body -> !kept.test(body));

@@ -19,8 +19,7 @@ import tools.jackson.databind.node.ObjectNode;
 /**
  * Keeps the window's settings in a JSON file.
  *
- * @param folder where the file is, made when it is first written; empty where this user has no such place, and then
- *     nothing is kept
+ * @param folder the file's folder, created at the first write; empty if this user has none, and then nothing is kept
  */
 public record SettingsStore(Optional<Path> folder) {
     static final String FILE = "window.json";
@@ -35,7 +34,7 @@ public record SettingsStore(Optional<Path> folder) {
     /**
      * What was found.
      *
-     * @param message what to tell the user; empty where all is well
+     * @param message the message for the user; empty if there is none
      */
     public record Found(WindowSettings settings, Optional<String> message) {}
 

@@ -13,8 +13,8 @@ import java.util.SequencedMap;
 import java.util.function.UnaryOperator;
 
 /**
- * A material that a scene has under a name, and the bodies that are made of it. They stay the same while it is edited,
- * though it may come to equal another one on the way.
+ * A scene's named material and the bodies that use it. The bodies stay the same during an edit, even if the material
+ * equals another one in between.
  *
  * @param bodies by their {@link BodyNumber}
  */
@@ -23,7 +23,7 @@ public record SharedMaterial(String name, List<Integer> bodies) {
         bodies = List.copyOf(bodies);
     }
 
-    /** The named material that a body is made of; empty where it has one of its own. */
+    /** The named material of a body; empty if the body has a material of its own. */
     public static Optional<SharedMaterial> of(Scene scene, int body) {
         Material material = BodyMaterials.of(scene, body);
         return scene.materials().entrySet().stream()
@@ -51,7 +51,7 @@ public record SharedMaterial(String name, List<Integer> bodies) {
         return bodies;
     }
 
-    /** Whether the bodies are still made of it. */
+    /** Whether the bodies still use the material. */
     public boolean isIn(Scene scene) {
         return Optional.ofNullable(scene.materials().get(name))
                 .filter(material -> bodies.stream()

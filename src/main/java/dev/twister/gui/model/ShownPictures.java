@@ -20,7 +20,7 @@ public final class ShownPictures {
         return ALL;
     }
 
-    /** The name for a person, such as {@code Hard shadows}. */
+    /** The displayed name, such as {@code Hard shadows}. */
     public static String label(Picture picture) {
         String words = picture.name().toLowerCase(Locale.ROOT).replace('_', ' ');
         String label = words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
@@ -46,7 +46,7 @@ public final class ShownPictures {
         };
     }
 
-    /** The one that many steps on in the round of all; back where they are negative. */
+    /** The value that many steps further, cyclically; backward if {@code steps} is negative. */
     public static Picture along(Picture picture, int steps) {
         return ALL.get(Math.floorMod(ALL.indexOf(picture) + steps, ALL.size()));
     }

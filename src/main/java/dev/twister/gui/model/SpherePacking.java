@@ -1,5 +1,7 @@
 package dev.twister.gui.model;
 
+import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -18,13 +20,15 @@ final class SpherePacking {
     private record Placed(Vector3 center, double radius) {}
 
     /**
-     * A packing with one body in it.
+     * A packing around lights.
      *
      * @param largest no sphere's radius is larger
      */
-    SpherePacking(Vector3 center, double radius, double largest) {
-        grids.add(new Grid(Math.max(largest, radius)));
-        grids.getFirst().add(new Placed(center, radius));
+    SpherePacking(Lights lights, double largest) {
+        double largestLight =
+                lights.list().stream().mapToDouble(Light::radius).max().orElseThrow();
+        grids.add(new Grid(Math.max(largest, largestLight)));
+        lights.list().forEach(light -> grids.getFirst().add(new Placed(light.position(), light.radius())));
     }
 
     /** Adds a sphere that is no larger than those that were added before. */

@@ -23,7 +23,7 @@ public final class ThrownSpheres {
     private ThrownSpheres() {}
 
     /**
-     * The scene with its spheres elsewhere: over the middle of the plane, each clear of the plane, the light and those
+     * The scene with its spheres elsewhere: over the middle of the plane, each clear of the plane, the lights and those
      * that were placed before it. Only spheres so large that there is no such place in all that a scene may span are in
      * others.
      *
@@ -33,8 +33,7 @@ public final class ThrownSpheres {
         SplittableRandom random = new SplittableRandom(seed);
         List<Sphere> spheres = scene.spheres();
         double largest = spheres.stream().mapToDouble(Sphere::radius).max().orElse(1);
-        SpherePacking packing = new SpherePacking(
-                scene.lights().first().position(), scene.lights().first().radius(), largest);
+        SpherePacking packing = new SpherePacking(scene.lights(), largest);
         Sphere[] thrown = new Sphere[spheres.size()];
         double half = half(scene);
         double top = 0;
@@ -43,7 +42,7 @@ public final class ThrownSpheres {
             Sphere sphere = spheres.get(index);
             double low = SceneLimits.POSITION.clamp(scene.ground().height() + sphere.radius());
             double highest = SceneLimits.POSITION.max() - low;
-            // Where it was too crowded for the one before, all of it need not be tried again.
+            // A place that had no room for the previous sphere has none for this one.
             top = Math.min(Math.max(4 * largest, top / GROWTH), highest);
             Vector3 place = place(random, half, low, top);
             for (int tries = 1; !packing.isFree(place, sphere.radius()); tries++) {
@@ -64,11 +63,11 @@ public final class ThrownSpheres {
     /** Whether a scene that was edited while its spheres were thrown can have the places that were found. */
     public static boolean fit(Scene thrown, Scene edited) {
         return thrown.ground().equals(edited.ground())
-                && thrown.lights().first().equals(edited.lights().first())
+                && thrown.lights().equals(edited.lights())
                 && Arrays.equals(radii(thrown), radii(edited));
     }
 
-    /** The edited scene with the places that were found for its spheres; only where they {@link #fit}. */
+    /** The edited scene with the places found for its spheres; call it only if they {@link #fit}. */
     public static Scene placed(Scene thrown, Scene edited) {
         List<Sphere> spheres = edited.spheres();
         return edited.withSpheres(IntStream.range(0, spheres.size())
@@ -84,7 +83,7 @@ public final class ThrownSpheres {
         return sphere.withPosition(place);
     }
 
-    /** Half the width of where they are thrown: on a plane that is too small for all they would pile up to the sky. */
+    /** Half the width of the area in which spheres are placed. On a small plane they would pile up without a limit. */
     private static double half(Scene scene) {
         double cubes = scene.spheres().stream()
                 .mapToDouble(sphere -> Math.pow(sphere.radius(), 3))

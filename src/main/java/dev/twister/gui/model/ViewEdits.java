@@ -21,7 +21,7 @@ public final class ViewEdits {
         return (digit + KEYS - 1) % KEYS;
     }
 
-    /** The number key that leads to the view at that place, where one does. */
+    /** The number key for the view at that place, if there is one. */
     public static Optional<Integer> key(int index) {
         return index < KEYS ? Optional.of((index + 1) % KEYS) : Optional.empty();
     }
@@ -61,7 +61,7 @@ public final class ViewEdits {
         return replaced(scene, index, scene.views().get(index).withName(name));
     }
 
-    /** Why a view cannot have that name; empty where it can. */
+    /** Why a view cannot have that name; empty if it can. */
     public static Optional<String> complaint(Scene scene, int index, String name) {
         int length = name.codePointCount(0, name.length());
         if (length < 1 || length > SceneLimits.MAX_NAME_LENGTH || name.chars().anyMatch(Character::isISOControl)) {

@@ -1,6 +1,6 @@
 /**
- * What the window shows and does, without a window: the history of edits, picking and dragging, the picture that
- * refines itself, recording, and what is kept between runs. Leans on the packages that draw, never on JavaFX, so that a
- * test reaches all of it.
+ * The window's logic without a window: the undo history, picking and dragging, progressive refinement, recording, and
+ * settings kept between runs. Uses the rendering packages, never JavaFX, so that all of it can be tested without a
+ * display.
  */
 package dev.twister.gui.model;

@@ -5,6 +5,7 @@ import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.AssetActions;
 import dev.twister.gui.files.SettingsKeeper;
+import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.CameraRig;
 import dev.twister.gui.model.ResolutionMode;
@@ -115,11 +116,8 @@ public final class Panel extends ScrollPane {
         setFocusTraversable(false);
         studio.selection().activeProperty().subscribe((_, body) -> {
             if (body.intValue() != BodyNumber.NONE) {
-                PanelSection section = switch (body.intValue()) {
-                    case BodyNumber.LIGHT -> lightSection;
-                    case BodyNumber.PLANE -> materialSection;
-                    default -> selectionSection;
-                };
+                PanelSection ofBody = body.intValue() == BodyNumber.PLANE ? materialSection : selectionSection;
+                PanelSection section = BodyEdits.isLight(studio.scene(), body.intValue()) ? lightSection : ofBody;
                 section.fold(false);
                 scrollTo(section);
             }

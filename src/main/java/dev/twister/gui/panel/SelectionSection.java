@@ -99,8 +99,8 @@ final class SelectionSection extends VBox {
         hint.setText(
                 selected.count() > 1
                         ? selected.count() + " bodies are selected. Drag one to move all, Delete deletes all. "
-                                + (selected.active() == BodyNumber.LIGHT
-                                        ? "The light is the active one."
+                                + (BodyEdits.isLight(studio.scene(), selected.active())
+                                        ? BodyChoices.title(studio.scene(), selected.active()) + " is the active one."
                                         : "These numbers are of " + BodyChoices.title(studio.scene(), selected.active())
                                                 + ".")
                         : hint(studio.scene(), selected.active()));
@@ -112,11 +112,13 @@ final class SelectionSection extends VBox {
             return "Poured sphere " + (BodyNumber.sphere(body) - spheres + 1)
                     + ". Physics moves it; it can't be edited.";
         }
+        if (BodyEdits.isLight(scene, body)) {
+            return BodyChoices.title(scene, body) + " is selected; its controls are under Light.";
+        }
         return switch (body) {
             case BodyNumber.NONE ->
                 "Click a body in the picture to select it, or press F2; Shift+click selects several. Drag a selected "
                         + "sphere, mesh or light to move it.";
-            case BodyNumber.LIGHT -> "The light is selected; its controls are above.";
             case BodyNumber.PLANE -> "The plane is selected; its material is below.";
             default -> BodyChoices.title(scene, body) + of(scene, body) + ". Drag it to move it, Delete deletes it.";
         };

@@ -11,7 +11,7 @@ import java.util.stream.Stream;
 public final class SkyList {
     private SkyList() {}
 
-    /** Those in a folder, by name; none where it cannot be read. */
+    /** The skies in a folder, by name; none if it cannot be read. */
     public static List<Path> in(Path folder) {
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(file -> DroppedFile.kind(file) == DroppedFile.Kind.SKYBOX)

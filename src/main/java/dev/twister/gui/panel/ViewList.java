@@ -175,7 +175,7 @@ final class ViewList extends VBox {
         }
     }
 
-    /** Gives the view the name that is typed, where one is; false where none can have it, of which it complains. */
+    /** Renames the view as typed, if anything is; returns false, with a message, if it cannot have that name. */
     private boolean takeName() {
         if (renaming == NONE) {
             return true;

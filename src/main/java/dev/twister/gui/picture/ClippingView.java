@@ -13,9 +13,7 @@ import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 import javafx.scene.layout.Pane;
 
-/**
- * Marks over the picture which pixels are clipped: red where a channel is at its highest level, blue where all are 0.
- */
+/** Marks the clipped pixels: red if a channel is at its highest level, blue if all are 0. */
 public final class ClippingView extends Pane {
     public static final int WHITE = 0xFFFF2020;
     public static final int BLACK = 0xFF2040FF;
@@ -39,7 +37,7 @@ public final class ClippingView extends Pane {
             image.setFitHeight(place.getHeight());
             image.relocate(place.getMinX(), place.getMinY());
         });
-        // A mark of one pixel must not pale where pixels are small.
+        // A mark of one pixel must not fade when pixels are small.
         image.setSmooth(false);
     }
 

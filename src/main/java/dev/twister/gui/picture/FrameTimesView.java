@@ -64,7 +64,7 @@ public final class FrameTimesView extends VBox {
         getChildren().addAll(numbers, graph);
     }
 
-    /** Called in every pulse; draws anew a few times a second, where it is seen at all. */
+    /** Called in every pulse; redraws a few times a second while visible. */
     public void refresh(long nanos) {
         if (isVisible() && nanos - drawnNanos >= REDRAW_NANOS) {
             drawnNanos = nanos;
@@ -87,7 +87,7 @@ public final class FrameTimesView extends VBox {
     /**
      * Frames a second, then what they took; a line breaks between the parts only.
      *
-     * @param resting samples per pixel of a picture that is finished, where nothing is drawn any more
+     * @param resting samples per pixel of the finished picture, if nothing is drawn any more
      */
     public static List<String> parts(FrameHistory history, long nanos, Optional<Integer> resting) {
         FrameHistory.Entry mean = history.mean();
@@ -119,7 +119,7 @@ public final class FrameTimesView extends VBox {
         pen.setTextAlign(TextAlignment.RIGHT);
         pen.setStroke(GRID);
         pen.setLineWidth(1);
-        // Half a line's height above and below the graph, so that its labels stand beside their lines.
+        // Half a line's height above and below the graph, so that labels are level with their lines.
         double upper = em / 2;
         double lower = height - em / 2;
         for (double share : new double[] {0, 0.5, 1}) {

@@ -21,7 +21,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import javafx.scene.paint.Color;
 
-/** How often the shown picture has which level of its colors, and how much of it is clipped. */
+/** The histogram of the picture's color levels, and the clipped part. */
 public final class HistogramView extends VBox {
     /** Faster than one reads. */
     private static final long REDRAW_NANOS = 100_000_000;
@@ -71,7 +71,7 @@ public final class HistogramView extends VBox {
         getChildren().addAll(frame, below);
     }
 
-    /** Called in every pulse in which it may be seen: draws anew where the picture is another one. */
+    /** Called in every pulse while it may be visible: redraws if the picture has changed. */
     public void pulse(long nanos) {
         if (nanos - drawnNanos >= REDRAW_NANOS) {
             studio.pictureProperty().get().ifPresent(picture -> {
@@ -155,7 +155,7 @@ public final class HistogramView extends VBox {
                 .toArray();
     }
 
-    /** By the root, so that what is rare is seen beside what is not; the ends, which clip, may be cut off. */
+    /** Heights are square roots, so that rare levels stay visible; those of the clipped ends may be cut off. */
     private double[] up(int[] counts, int most) {
         return IntStream.of(counts)
                 .mapToDouble(count -> canvas.getHeight() * (1 - Math.sqrt(Math.min(1, (double) count / most))))

@@ -31,6 +31,9 @@ final class InspectorText {
 
     /** A body as the scene numbers it. */
     static String bodyName(int body) {
+        if (BodyNumber.mesh(body) < 0 && BodyNumber.light(body) > 0) {
+            return "light " + (BodyNumber.light(body) + 1);
+        }
         return switch (body) {
             case BodyNumber.NONE -> "sky";
             case BodyNumber.LIGHT -> "light";

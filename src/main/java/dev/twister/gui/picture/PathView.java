@@ -90,6 +90,7 @@ public final class PathView extends Pane {
             case VIEW -> Color.web("#ffffff");
             case REFLECTED -> Color.web("#ffd24a");
             case REFRACTED -> Color.web("#5bc8ff");
+            case SCATTERED -> Color.web("#ff9a5c");
             case NORMAL -> Color.web("#d58bff");
             case LIT -> Color.web("#40e060b0");
             case DIMMED -> Color.web("#c0d040b0");

@@ -68,7 +68,7 @@ public final class PictureActions implements AutoCloseable {
                     lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent())
                             .orElse(lastFolder);
                     errands.keepPicture(
-                            // The window's engine may be long at a picture before it tells.
+                            // The window's engine may work long on a picture before it notices.
                             PictureFile.isLinear(file) ? gathered : CompletableFuture.completedFuture(""),
                             () -> {
                                 write(file, frame.width(), frame.height(), argb, input, gathered);

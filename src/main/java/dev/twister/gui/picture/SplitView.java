@@ -166,7 +166,7 @@ public final class SplitView extends Pane {
         put(right, from + MARGIN, above);
     }
 
-    /** A label with its lower left corner there; none where it says nothing. */
+    /** A label with its lower left corner at a point; none for an empty text. */
     private static void put(Label label, double x, double bottom) {
         label.setVisible(!label.getText().isEmpty());
         double height = label.prefHeight(-1);

@@ -64,7 +64,7 @@ public final class CameraFilm {
         return KeyframeEdits.at(keyframes(), seconds.get());
     }
 
-    /** Goes to a time and stops playing. Outside of the keyframes the camera stays where it is. */
+    /** Seeks to a time and stops playing. Outside of the keyframes' range the camera does not move. */
     public void goTo(double time) {
         playing.set(false);
         seconds.set(KeyframeEdits.time(time));

@@ -102,7 +102,7 @@ public final class Document {
         refresh();
     }
 
-    /** Sets where spheres start, which {@link #undo} keeps; {@link #edit} shows it. */
+    /** Sets the spheres' initial places, which {@link #undo} keeps; {@link #edit} shows them. */
     void carryOnMoved(Scene moved) {
         history.carryOnMoved(moved);
     }
@@ -157,7 +157,7 @@ public final class Document {
         return history.version();
     }
 
-    /** The scene to write to a file, with the camera where it is now; then call {@link #saved}. */
+    /** The scene to write to a file, with the camera's present pose; call {@link #saved} afterwards. */
     public SceneHistory.Version toSave() {
         history.endGesture();
         return history.version();

@@ -5,7 +5,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 
-/** The pictures of the last ten seconds: when they were finished and where their time went. */
+/** The frames of the last ten seconds: when they were finished and how long each step took. */
 public final class FrameHistory {
     public static final double SECONDS = 10;
 

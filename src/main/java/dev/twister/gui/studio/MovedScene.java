@@ -17,15 +17,15 @@ import java.util.function.UnaryOperator;
 /**
  * A scene whose spheres may have been moved by physics.
  *
- * @param standing the scene, its spheres where they start
- * @param seen the picture that shows where they are; empty if they have not moved
+ * @param standing the scene with its spheres at their initial places
+ * @param seen the picture that shows their present places; empty if they have not moved
  */
 record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
     /**
      * An edit of moving bodies.
      *
-     * @param before the scene to which undo leads: a sphere that the edit moves is where it was seen
-     * @param after the edited scene: all other spheres start where they did
+     * @param before the scene that undo restores: a sphere that the edit moves is at its displayed place
+     * @param after the edited scene: all other spheres keep their initial places
      */
     record Edit(Scene before, Scene after) {}
 
@@ -43,7 +43,7 @@ record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
         return position(same, index);
     }
 
-    /** The scene with its spheres where they are. */
+    /** The scene with its spheres at their present places. */
     Scene asSeen() {
         return standing.withSpheres(spheresAsSeen());
     }

@@ -9,7 +9,7 @@ import java.nio.file.Path;
 /**
  * A scene that has been read.
  *
- * @param file where it came from
+ * @param file the file it was read from
  */
 public record OpenedScene(EditedFile file, Scene scene) {
     /** A scene that is in no file yet. */

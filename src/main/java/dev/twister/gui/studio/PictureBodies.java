@@ -3,6 +3,8 @@ package dev.twister.gui.studio;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.physics.SameSpheres;
+import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import java.util.List;
@@ -28,12 +30,21 @@ public record PictureBodies(Scene pictured, Scene standing, boolean renumbered) 
     private int same(Scene wanted, Scene given, int body) {
         // Without additions and deletions numbers stay the same; this avoids comparing half a million bodies per
         // picture.
-        if (BodyNumber.sphere(body) < 0 || !renumbered) {
+        boolean kept = body == BodyNumber.NONE || body == BodyNumber.PLANE;
+        if (kept || !renumbered || (body == BodyNumber.LIGHT && wanted.lights().count() == 1)) {
             return body;
+        }
+        if (BodyEdits.isLight(given, body)) {
+            return sameLight(wanted.lights(), BodyEdits.light(given, body));
         }
         return BodyNumber.mesh(body) < 0
                 ? sameSphere(wanted, given, BodyNumber.sphere(body))
                 : sameMesh(wanted.meshes(), given, body);
+    }
+
+    private static int sameLight(Lights wanted, Light light) {
+        int found = wanted.list().indexOf(light);
+        return found < 0 ? BodyNumber.NONE : BodyNumber.ofLight(found);
     }
 
     private static int sameSphere(Scene wanted, Scene given, int index) {

@@ -25,7 +25,7 @@ public final class PresentBodies {
         this.picture = picture;
     }
 
-    /** The scene with its spheres where the picture shows them. */
+    /** The scene with its spheres at their displayed places. */
     public Scene scene() {
         return motion.isOn() ? moved().asSeen() : document.scene();
     }

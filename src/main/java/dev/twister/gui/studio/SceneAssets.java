@@ -89,7 +89,7 @@ public final class SceneAssets {
         return skies.beingRead().map(file -> String.valueOf(file.getFileName())).or(meshes::progress);
     }
 
-    /** Cancels reading what {@link #beingRead} names; drawing goes on without it. */
+    /** Cancels reading the file that {@link #beingRead} names; rendering continues without it. */
     public void cancelReading() {
         skies.cancel();
         meshes.cancel();

@@ -40,9 +40,7 @@ public final class Selection {
         return bodies.get().active();
     }
 
-    /**
-     * Selects one body: the light, the plane, a sphere, a mesh or a poured sphere; any other number selects nothing.
-     */
+    /** Selects one body: a light, the plane, a sphere, a mesh or a poured sphere; any other number selects nothing. */
     public void select(int body) {
         set(SelectedBodies.of(BodyEdits.isSelectable(document.scene(), body) ? body : BodyNumber.NONE));
     }
@@ -85,7 +83,8 @@ public final class Selection {
 
     /** Removes bodies whose numbers have changed their meaning. */
     void follow(Scene before, Scene now) {
-        boolean renumbered = before.spheres().size() != now.spheres().size()
+        boolean renumbered = before.lights().count() != now.lights().count()
+                || before.spheres().size() != now.spheres().size()
                 || before.meshes().size() != now.meshes().size();
         // A poured sphere is no body of the scene; the others keep their numbers unless bodies were added or deleted.
         if (renumbered || BodyEdits.isPoured(before, active())) {

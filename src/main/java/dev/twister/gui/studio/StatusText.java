@@ -8,12 +8,14 @@ import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.world.Picture;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Texts of the status line. */
 public final class StatusText {
+    private static final double PERCENT = 100;
     private static final String BETWEEN = " · ";
 
     private StatusText() {}
@@ -32,11 +34,19 @@ public final class StatusText {
                                 + picture.device() + ")",
                         picture.frame().width() + " × " + picture.frame().height(),
                         picture.samples() + (picture.samples() == 1 ? " sample per pixel" : " samples per pixel"),
+                        noise(picture),
                         picture.input().bodyCount() + " bodies",
                         meshes(picture.request().scene().meshes().size()),
                         camera.aperture() > 0 ? "focus at " + meters(camera) : "")
                 .filter(part -> !part.isEmpty())
                 .collect(Collectors.joining(BETWEEN));
+    }
+
+    private static String noise(DrawnPicture picture) {
+        return picture.noise().isEmpty()
+                ? ""
+                : String.format(
+                        Locale.ROOT, "noise %.2g %%", PERCENT * picture.noise().getAsDouble());
     }
 
     private static String meshes(int count) {
@@ -77,7 +87,7 @@ public final class StatusText {
                 + (pours ? ", and more are poured" : "");
     }
 
-    /** What the drawing thread does, or what failed; may be empty. */
+    /** The rendering thread's activity or failure; may be empty. */
     public static String message(DrawingStatus status) {
         return Stream.of(
                         status.opening().map(id -> "making engine " + id + " ready…"),

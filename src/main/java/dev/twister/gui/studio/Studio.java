@@ -13,6 +13,7 @@ import dev.twister.gui.model.ResolutionMode;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Body;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
@@ -30,8 +31,8 @@ import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
 
 /**
- * What the window shows and edits, and the only place where it changes: views bind to its properties and call its
- * methods. Used by JavaFX's thread alone; needs no toolkit.
+ * The application's state, and the only class that changes it: views bind to its properties and call its methods. Used
+ * by JavaFX's thread alone; needs no toolkit.
  */
 public final class Studio implements AutoCloseable {
     private static final double NANOS_PER_SECOND = 1e9;
@@ -183,8 +184,8 @@ public final class Studio implements AutoCloseable {
     }
 
     /**
-     * Changes the scene. While physics runs, the change is applied to the bodies where they are seen; those that it
-     * moves start there from now on, the others are not affected. Successive edits of the same name are undone
+     * Changes the scene. While physics runs, the change is applied to the bodies at their displayed places; those that
+     * it moves start there from now on, the others are not affected. Successive edits of the same name are undone
      * together, until {@link #endGesture}; moving the camera is no edit.
      *
      * @param what names the edit in the menu, such as "light's size"
@@ -205,6 +206,13 @@ public final class Studio implements AutoCloseable {
         edit(what, standing -> standing.withBodies(standing.bodies().with(added)));
         endGesture();
         selection.select(BodyEdits.numbersOfLast(scene(), added));
+    }
+
+    /** Adds a light to the scene as an edit of its own, and selects it. */
+    public void insert(Light light) {
+        edit("insert light", standing -> standing.withLights(standing.lights().with(List.of(light))));
+        endGesture();
+        selection.select(BodyNumber.ofLight(scene().lights().count() - 1));
     }
 
     /** Starts a new undo step, for example when the mouse button is released. */
@@ -245,7 +253,7 @@ public final class Studio implements AutoCloseable {
         request();
     }
 
-    /** What is shown of the scene: the picture, or a stage or a view of it. */
+    /** What is displayed: the picture, a stage or a view. */
     public ReadOnlyObjectProperty<Picture> shownProperty() {
         return shown.getReadOnlyProperty();
     }
@@ -357,7 +365,8 @@ public final class Studio implements AutoCloseable {
     }
 
     private void changing(Scene before, Scene now) {
-        if (before.spheres().size() != now.spheres().size()
+        if (before.lights().count() != now.lights().count()
+                || before.spheres().size() != now.spheres().size()
                 || before.meshes().size() != now.meshes().size()) {
             numbered = requests + 1;
         }

@@ -1,5 +1,6 @@
 package dev.twister.scene.format;
 
+import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 
@@ -21,7 +22,9 @@ record Field<R, T>(
         /** In every file that is written; a file that is read may leave it out. */
         WRITTEN,
         /** Only where its value is not what a file that leaves it out gets. */
-        SPARSE
+        SPARSE,
+        /** One of several, of which a file has exactly one: where its value is not an empty optional. */
+        EITHER
     }
 
     static <R, T> Field<R, T> required(String name, ValueType<T> type, Function<R, T> get, BiFunction<R, T, R> with) {
@@ -46,6 +49,11 @@ record Field<R, T>(
         return new Field<>(name, Presence.SPARSE, since, type, get, with);
     }
 
+    /** The same field, which a file has, or another one instead. */
+    Field<R, T> orOther() {
+        return new Field<>(name, Presence.EITHER, since, type, get, with);
+    }
+
     /** The same field of an object that stands for a record which holds this one's. */
     <S> Field<S, T> within(Function<S, R> part, BiFunction<S, R, S> withPart) {
         return new Field<>(
@@ -68,7 +76,11 @@ record Field<R, T>(
 
     /** Whether the field is left out of the text of a record, as a default says the same. */
     boolean isLeftOut(R record, R defaults) {
-        return presence == Presence.SPARSE && get.apply(record).equals(get.apply(defaults));
+        return switch (presence) {
+            case REQUIRED, WRITTEN -> false;
+            case SPARSE -> get.apply(record).equals(get.apply(defaults));
+            case EITHER -> get.apply(record).equals(Optional.empty());
+        };
     }
 
     /** The version of the format that the field's value needs. */

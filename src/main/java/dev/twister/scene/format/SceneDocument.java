@@ -24,8 +24,10 @@ final class SceneDocument {
         Scene scene = new SceneFormat(version, materials(fields, version, files), files)
                 .scene()
                 .read(root);
+        LightRules.check(fields);
         KeyframeRules.check(scene.camera().keyframes(), fields.get("camera").fields());
         ViewRules.check(scene.views(), fields);
+        ShapeRules.check(scene.meshes(), fields);
         scene.pour()
                 .ifPresent(pour -> PourRules.check(
                         pour, fields.get("pour").fields(), scene.spheres().size()));

@@ -54,6 +54,9 @@ final class SceneFormat {
     /** The version that first has named materials. */
     static final int MATERIALS_SINCE = 2;
 
+    /** The version that first has several lights. */
+    private static final int LIGHTS_SINCE = 3;
+
     private static final String MATERIAL = "material";
 
     private static final ValueType<Vector3> POSITION = ValueType.vector(SceneLimits.POSITION);
@@ -129,7 +132,9 @@ final class SceneFormat {
                             ValueType.present(new Decimal(SceneLimits.LIGHT_STRENGTH)),
                             Light::strength,
                             Light::withStrength)
-                    .from(3));
+                    .from(LIGHTS_SINCE),
+            sparse("share", new Decimal(SceneLimits.LIGHT_SHARE), Light::share, Light::withShare)
+                    .from(LIGHTS_SINCE));
 
     private static final List<Field<Ground, ?>> PLANE = List.of(
             required("size", LENGTH, Ground::size, Ground::withSize),
@@ -289,14 +294,23 @@ final class SceneFormat {
 
     /** With neither a named material nor fields of one, it is made of what its file says. */
     Shaped<Mesh> mesh() {
+        return new Shaped<>(
+                MeshFields.SHAPE,
+                mesh(Mesh.of(MeshFields.DEFAULT), MeshFields.ofShape(), List.of()),
+                mesh(Mesh.DEFAULT, MeshFields.ofFile(file), MeshFields.shading()),
+                mesh -> mesh.file().isEmpty());
+    }
+
+    /**
+     * @param triangles the fields that say what its triangles are
+     * @param shading those that say how they are shaded
+     */
+    private Shaped<Mesh> mesh(Mesh defaults, List<Field<Mesh, ?>> triangles, List<Field<Mesh, ?>> shading) {
         List<Field<Mesh, ?>> placement = List.of(
-                required("file", file, Mesh::file, Mesh::withFile).from(2),
                 sparse("position", POSITION, Mesh::position, Mesh::withPosition).from(2),
                 sparse("rotation", ValueType.angles(SceneLimits.ROTATION), Mesh::rotation, Mesh::withRotation)
                         .from(2),
                 sparse("scale", new Decimal(SceneLimits.SCALE), Mesh::scale, Mesh::withScale)
-                        .from(2),
-                sparse("smooth", new Decimal(SceneLimits.SMOOTH), Mesh::smoothDegrees, Mesh::withSmooth)
                         .from(2));
         Field<Mesh, Material> name = Field.<Mesh, Material>required(
                         MATERIAL,
@@ -313,11 +327,13 @@ final class SceneFormat {
                 .from(2);
         return new Shaped<>(
                 MATERIAL,
-                structure(Mesh.DEFAULT, List.of(placement, List.of(name))),
+                structure(defaults, List.of(triangles, placement, shading, List.of(name))),
                 structure(
-                        Mesh.DEFAULT,
+                        defaults,
                         List.of(
+                                triangles,
                                 placement,
+                                shading,
                                 List.of(color),
                                 uncolored
                                         .optional()
@@ -333,6 +349,30 @@ final class SceneFormat {
     private <R> Structure<R> structure(R defaults, List<List<Field<R, ?>>> parts) {
         return Structure.of(
                 version, defaults, parts.stream().flatMap(List::stream).toList());
+    }
+
+    private Field<Lights, Optional<Light>> light() {
+        Field<Lights, Optional<Light>> field = required(
+                LightRules.ONE,
+                ValueType.present(structure(Light.DEFAULT, List.of(LIGHT))),
+                lights -> Optional.of(lights.first()).filter(_ -> lights.count() == 1),
+                (_, light) -> Lights.of(light.orElseThrow()));
+        return version < LIGHTS_SINCE ? field : field.orOther();
+    }
+
+    private Field<Lights, Optional<List<Light>>> lights() {
+        Array<Light> several = new Array<>(
+                structure(Light.DEFAULT, List.of(LIGHT)),
+                1,
+                SceneLimits.MAX_LIGHTS,
+                "an array of 1 to " + SceneLimits.MAX_LIGHTS + " lights");
+        return Field.<Lights, Optional<List<Light>>>required(
+                        LightRules.SEVERAL,
+                        ValueType.present(new Lines<>(several)),
+                        lights -> Optional.of(lights.list()).filter(_ -> lights.count() > 1),
+                        (_, lights) -> new Lights(lights.orElseThrow()))
+                .from(LIGHTS_SINCE)
+                .orOther();
     }
 
     Structure<Scene> scene() {
@@ -362,12 +402,8 @@ final class SceneFormat {
                                         Scene::views,
                                         Scene::withViews)
                                 .from(2),
-                        required(
-                                        "light",
-                                        structure(Light.DEFAULT, List.of(LIGHT)),
-                                        Lights::first,
-                                        (_, light) -> Lights.of(light))
-                                .within(Scene::lights, Scene::withLights),
+                        light().within(Scene::lights, Scene::withLights),
+                        lights().within(Scene::lights, Scene::withLights),
                         sparse(MATERIALS, materials(), Scene::materials, Scene::withMaterials)
                                 .from(MATERIALS_SINCE),
                         required("plane", plane(), Scene::ground, Scene::withGround),
@@ -402,7 +438,7 @@ final class SceneFormat {
                                 Scene::spheres,
                                 Scene::withSpheres),
                         sparse(
-                                        "meshes",
+                                        ShapeRules.MESHES,
                                         new Lines<>(new Array<>(
                                                 mesh(),
                                                 0,

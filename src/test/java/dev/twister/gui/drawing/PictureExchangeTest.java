@@ -15,6 +15,7 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -122,6 +123,17 @@ class PictureExchangeTest {
         DrawingRequest request =
                 new DrawingRequest(number, WindowScenes.tiny(), SIDE, SIDE, new EngineChoice(0, ENGINE), 0);
         return new DrawnPicture(
-                frame, request, SEEN, SceneMeshes.NONE, "test", "a test", FrameTimes.NONE, 1, number, original, number);
+                frame,
+                request,
+                SEEN,
+                SceneMeshes.NONE,
+                "test",
+                "a test",
+                FrameTimes.NONE,
+                1,
+                OptionalDouble.empty(),
+                number,
+                original,
+                number);
     }
 }

@@ -8,10 +8,16 @@ import org.junit.jupiter.api.Test;
 class QuickAnswerTest {
     @Test
     void aSlowPictureIsPrecededByOneAsSmallAsItTakes() {
-        assertThat(QuickAnswer.divisor(0)).isEqualTo(1);
-        assertThat(QuickAnswer.divisor(TimeUnit.MILLISECONDS.toNanos(150))).isEqualTo(1);
-        assertThat(QuickAnswer.divisor(TimeUnit.MILLISECONDS.toNanos(200))).isEqualTo(2);
-        assertThat(QuickAnswer.divisor(TimeUnit.MILLISECONDS.toNanos(900))).isEqualTo(4);
-        assertThat(QuickAnswer.divisor(TimeUnit.MINUTES.toNanos(1))).isEqualTo(8);
+        assertThat(QuickAnswer.divisor(0, QuickAnswer.MOST)).isEqualTo(1);
+        assertThat(QuickAnswer.divisor(TimeUnit.MILLISECONDS.toNanos(150), QuickAnswer.MOST))
+                .isEqualTo(1);
+        assertThat(QuickAnswer.divisor(TimeUnit.MILLISECONDS.toNanos(200), QuickAnswer.MOST))
+                .isEqualTo(2);
+        assertThat(QuickAnswer.divisor(TimeUnit.MILLISECONDS.toNanos(900), QuickAnswer.MOST))
+                .isEqualTo(4);
+        assertThat(QuickAnswer.divisor(TimeUnit.MINUTES.toNanos(1), QuickAnswer.MOST))
+                .isEqualTo(8);
+        assertThat(QuickAnswer.divisor(TimeUnit.MINUTES.toNanos(1), QuickAnswer.MOST_TRACED))
+                .isEqualTo(16);
     }
 }

@@ -24,7 +24,7 @@ class RefinedPictureTest {
     private final FrameInput input = Scenes.input(Scenes.scene());
 
     private static RefinedPicture after(FrameInput input, int limit, int... passes) {
-        RefinedPicture picture = new RefinedPicture(Scenes.WIDTH, Scenes.HEIGHT, limit);
+        RefinedPicture picture = new RefinedPicture(Scenes.WIDTH, Scenes.HEIGHT, limit, false);
         Frame linear = Frame.ofRadiance(Scenes.WIDTH, Scenes.HEIGHT);
         try (Engine engine = Engines.open(JvmEngines.PARALLEL)) {
             for (int samples : passes) {
@@ -130,8 +130,39 @@ class RefinedPictureTest {
     }
 
     @Test
+    void theNoiseOfTwoHalvesIsTheErrorOfTheirMean() {
+        RefinedPicture picture = new RefinedPicture(Scenes.WIDTH, Scenes.HEIGHT, 100, true);
+        assertThat(picture.noise(linearInput())).isEmpty();
+        addConstant(picture, 0.5f, 1);
+        assertThat(picture.noise(linearInput())).isEmpty();
+        addConstant(picture, 0.3f, 1);
+
+        // Half the difference.
+        assertThat(picture.noise(linearInput()).getAsDouble()).isCloseTo(0.1, within(1e-6));
+        assertThat(picture.radiance()[0]).isCloseTo(0.4f, within(1e-6f));
+        picture.reset();
+        assertThat(picture.noise(linearInput())).isEmpty();
+    }
+
+    @Test
+    void theNoiseOfAPictureWithoutAnEstimateIsUnknown() {
+        assertThat(after(input, 100, 1, 1).noise(input)).isEmpty();
+    }
+
+    private FrameInput linearInput() {
+        Scene scene = Scenes.scene();
+        return Scenes.input(scene.withRendering(scene.rendering().withTone(0, ToneMap.CLAMP, false)));
+    }
+
+    private static void addConstant(RefinedPicture picture, float radiance, int samples) {
+        Frame pass = Frame.ofRadiance(Scenes.WIDTH, Scenes.HEIGHT);
+        Arrays.fill(pass.radiance(), radiance);
+        picture.add(pass, samples);
+    }
+
+    @Test
     void refusesOtherFrames() {
-        RefinedPicture picture = new RefinedPicture(Scenes.WIDTH, Scenes.HEIGHT, 4);
+        RefinedPicture picture = new RefinedPicture(Scenes.WIDTH, Scenes.HEIGHT, 4, false);
         assertThatThrownBy(() -> picture.add(Frame.ofPixels(Scenes.WIDTH, Scenes.HEIGHT), 1))
                 .isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> picture.add(Frame.ofRadiance(Scenes.WIDTH, 5), 1))

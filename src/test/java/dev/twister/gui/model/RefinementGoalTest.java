@@ -3,6 +3,7 @@ package dev.twister.gui.model;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.kernel.Layout;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
 import org.junit.jupiter.api.Test;
 
@@ -25,6 +26,12 @@ class RefinementGoalTest {
                     scene, body, old -> old.withReflectivity(64).withRoughness(0.5));
             assertThat(RefinementGoal.samples(rough)).isEqualTo(RefinementGoal.NOISY);
         }
+    }
+
+    @Test
+    void pathTracingNeedsMany() {
+        assertThat(RefinementGoal.samples(scene.withRendering(scene.rendering().withIntegrator(Integrator.PATH))))
+                .isEqualTo(RefinementGoal.NOISY);
     }
 
     @Test

@@ -15,6 +15,7 @@ import dev.twister.image.FrameTimes;
 import dev.twister.world.SampleWorld;
 import dev.twister.world.SceneMeshes;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 
 class FrameHistoryTest {
@@ -116,6 +117,7 @@ class FrameHistoryTest {
                 "a test",
                 times,
                 1,
+                OptionalDouble.empty(),
                 number,
                 number,
                 nanos);

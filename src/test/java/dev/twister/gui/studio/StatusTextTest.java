@@ -15,6 +15,7 @@ import dev.twister.world.Positions;
 import dev.twister.world.SampleWorld;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 
 class StatusTextTest {
@@ -48,6 +49,15 @@ class StatusTextTest {
     }
 
     @Test
+    void theNoiseIsToldWhereItIsEstimated() {
+        FrameInput input = SampleWorld.ofSize(2, 2).snapshot();
+
+        assertThat(StatusText.facts(picture)).doesNotContain("noise");
+        assertThat(StatusText.facts(picture(1, "test", 64, 2, input, OptionalDouble.of(0.0123))))
+                .contains("64 samples per pixel · noise 1.2 % · 7 bodies");
+    }
+
+    @Test
     void theFocusIsToldWhereThereIsALens() {
         Camera pinhole = WindowScenes.tiny().camera().withFocusDistance(5.1);
 
@@ -62,6 +72,11 @@ class StatusTextTest {
     }
 
     private static DrawnPicture picture(long request, String engine, int samples, int side, FrameInput input) {
+        return picture(request, engine, samples, side, input, OptionalDouble.empty());
+    }
+
+    private static DrawnPicture picture(
+            long request, String engine, int samples, int side, FrameInput input, OptionalDouble noise) {
         return new DrawnPicture(
                 Frame.ofPixels(side, side),
                 new DrawingRequest(request, WindowScenes.tiny(), 2, 2, new EngineChoice(0, JvmEngines.parallel()), 0),
@@ -71,6 +86,7 @@ class StatusTextTest {
                 "a test",
                 FrameTimes.NONE,
                 samples,
+                noise,
                 1,
                 1,
                 1);

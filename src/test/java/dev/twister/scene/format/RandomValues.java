@@ -42,7 +42,8 @@ final class RandomValues {
                     case ValueType.Lines<?>(ValueType.Array<?> array) -> items(array);
                     case ValueType.Converted<?, ?> converted -> decoded(converted);
                     case ValueType.Structure<?> structure -> structure(structure);
-                    case Shaped<?> shaped -> structure(shaped.plain());
+                    case Shaped<?> shaped -> of(shaped.plain());
+                    case ShapeSize size -> List.of(of(size.width()));
                     // Bodies have materials of their own.
                     case Members<?> _ -> new LinkedHashMap<>();
                     case NamedMaterials _ -> Material.DEFAULT;
@@ -92,7 +93,12 @@ final class RandomValues {
     }
 
     private <R, T> R withAny(R record, Field<R, T> field) {
-        boolean leftOut = field.presence() == Field.Presence.SPARSE && random.nextBoolean();
+        boolean leftOut = switch (field.presence()) {
+            case SPARSE -> random.nextBoolean();
+            // Mostly one light, as engines draw several in another way.
+            case EITHER -> field.name().equals(LightRules.SEVERAL) && random.nextInt(8) > 0;
+            case REQUIRED, WRITTEN -> false;
+        };
         return leftOut ? record : field.with().apply(record, of(field.type()));
     }
 }

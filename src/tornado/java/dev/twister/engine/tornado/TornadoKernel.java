@@ -39,7 +39,8 @@ public final class TornadoKernel implements Supplier<DrawTask> {
         for (@Parallel int row = 0; row < rows; row++) {
             for (@Parallel int column = 0; column < width; column++) {
                 int isPlain = (variant & (Variant.MATERIALS | Variant.MESHES)) == 0 ? 1 : 0;
-                int plainPath = Aspect.isCount(variant) == 0 ? Layout.PLAIN_PATH_LENGTH : Layout.PATH_LENGTH;
+                int isShort = Aspect.isCount(variant) == 0 ? (variant & Variant.LIGHTS) == 0 ? 1 : 0 : 0;
+                int plainPath = isShort != 0 ? Layout.PLAIN_PATH_LENGTH : Layout.PATH_LENGTH;
                 int longPath = (variant & Variant.PATH) != 0 ? Layout.TRACED_PATH_LENGTH : Layout.PATH_LENGTH;
                 float[] path = new float[isPlain != 0 ? plainPath : longPath];
                 int plainScratch = (variant & Variant.WALK) == 0 ? FEW_SCRATCH : Layout.PLAIN_SCRATCH_LENGTH;

@@ -315,7 +315,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             float visible = -1f;
             float light = -1f;
             if (body != Layout.NOTHING) {
-                Illumination.aim(path, bodies);
+                Illumination.aim(path, Layout.LIGHT, bodies);
                 int variant = Variant.MATERIALS | Variant.MESHES | Variant.of(Aspect.SHADOW);
                 visible = Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
                 light = ShadowRay.light(path, body, i % MESH_SAMPLES, scratch, frame, bodies, looks, meshes, variant);

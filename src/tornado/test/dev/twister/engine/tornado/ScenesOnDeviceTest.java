@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.oracle.LitScene;
+import dev.twister.oracle.RandomLights;
 import dev.twister.oracle.RandomMaterials;
 import dev.twister.oracle.RandomMeshes;
+import dev.twister.oracle.RandomScenes;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
@@ -123,6 +125,26 @@ class ScenesOnDeviceTest {
                 Random random = new Random(seed);
                 FrameInput input =
                         RandomMeshes.scene(random, random.nextInt(5)).world().snapshot();
+                differences += Pictures.differences(engine, input);
+                pixels += input.width() * input.rows();
+            }
+            assertThat(differences).as("of %d pixels in three pictures", pixels).isLessThanOrEqualTo(2 + pixels / 5000);
+        }
+    }
+
+    /** Several lights over plain bodies, materials and meshes. */
+    @ParameterizedTest(name = "on {0}")
+    @MethodSource("offers")
+    void severalLightsLookTheSame(EngineOffer offer) {
+        try (Engine engine = offer.opener().get()) {
+            int differences = 0;
+            int pixels = 0;
+            for (int seed = 0; seed < 3; seed++) {
+                Random random = new Random(300 + seed);
+                LitScene lit = seed == 0
+                        ? RandomScenes.scene(random, 3)
+                        : seed == 1 ? RandomMaterials.scene(random, 3) : RandomMeshes.scene(random, 3);
+                FrameInput input = RandomLights.added(lit, random).world().snapshot();
                 differences += Pictures.differences(engine, input);
                 pixels += input.width() * input.rows();
             }

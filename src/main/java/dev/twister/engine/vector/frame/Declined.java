@@ -57,6 +57,7 @@ public final class Declined {
         int toneMap = (int) input.view().frame()[Layout.TONE_MAP];
         frame = input.aspect() != Aspect.FULL
                 || input.tracesPaths()
+                || input.hasSeveralLights()
                 || toneMap < Tone.CLAMP
                 || toneMap > Tone.ACES
                 || occluders.count > MOST_OCCLUDERS

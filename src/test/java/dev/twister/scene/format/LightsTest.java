@@ -1,0 +1,114 @@
+package dev.twister.scene.format;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneException;
+import dev.twister.scene.Vector3;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The light or the lights of a scene file. */
+class LightsTest {
+    private static final String ONE = "\"light\": {\"position\": [0, 0, 0], \"radius\": 1.2, \"color\": [1, 1, 1]}";
+    private static final String LAMP = "{\"position\": [1, 2, 3], \"radius\": 0.5, \"color\": [1, 0.5, 0]%s}";
+    private static final Light WHITE = Light.of(new Vector3(0, 10, 0), 1, new Rgb(1, 1, 1));
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void readsSeveral() {
+        String second = LAMP.formatted(", \"strength\": 4, \"share\": 0.25");
+        Scene scene = read("\"lights\": [" + LAMP.formatted("") + ", " + second + "]");
+
+        Light lamp = Light.of(new Vector3(1, 2, 3), 0.5, new Rgb(1, 0.5, 0));
+        assertThat(scene.lights().list())
+                .containsExactly(lamp, lamp.withStrength(Optional.of(4.0)).withShare(0.25));
+    }
+
+    @Test
+    void writesOneAsALightAndMoreAsAList() {
+        Scene one = Scene.under(Path.of("sky.hdr"));
+        Scene two = one.withLights(new Lights(List.of(WHITE, WHITE.withShare(0.5))));
+
+        assertThat(SceneWriter.text(one))
+                .contains("\"version\": 1", "\"light\": {")
+                .doesNotContain("\"lights\"");
+        assertThat(SceneWriter.text(two))
+                .contains("\"version\": 3", "\"lights\": [\n    {", "\"share\": 0.5")
+                .doesNotContain("\"light\":");
+    }
+
+    @Test
+    void refusesBoth() {
+        refuses(
+                ONE + ", \"lights\": [" + LAMP.formatted("") + "]",
+                "$.lights and \"light\" are both given; a scene has one of them");
+    }
+
+    @Test
+    void refusesNeither() {
+        refuses("\"name\": \"Dark\"", "$.light is missing; a scene has a \"light\" or \"lights\"");
+    }
+
+    @Test
+    void refusesTooMany() {
+        String lamp = LAMP.formatted("");
+        refuses(
+                "\"lights\": [" + (lamp + ", ").repeat(4999) + lamp + "]",
+                "$.lights is an array of 5000 items, but must be an array of 1 to 4096 lights");
+    }
+
+    @Test
+    void refusesAnEmptyList() {
+        refuses("\"lights\": []", "$.lights is an array of 0 items, but must be an array of 1 to 4096 lights");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            "share": -1       | $.lights[0].share is -1, but must be a number from 0 to 1000
+            "share": 1e400    | $.lights[0].share is 1e400, but must be a number from 0 to 1000
+            "strength": -0.1  | $.lights[0].strength is -0.1, but must be a number from 0 to 1000000000 m^2
+            """)
+    void refusesLampsThatCannotBe(String field, String message) {
+        refuses("\"lights\": [" + LAMP.formatted(", " + field) + "]", message);
+    }
+
+    @Test
+    void refusesALightWithoutSize() {
+        refuses(
+                "\"lights\": [" + LAMP.formatted("").replace("0.5, \"color\"", "0, \"color\"") + "]",
+                "$.lights[0].radius is 0, but must be a number from 0.000001 to 1000000 meters");
+    }
+
+    @Test
+    void olderVersionsHaveOneLight() {
+        String text = SampleScene.with(ONE, "\"lights\": [" + LAMP.formatted("") + "]");
+        assertThatThrownBy(() -> SceneReader.read(SampleScene.put(folder, text)))
+                .isInstanceOf(SceneException.class)
+                .hasMessageContaining("$.lights needs \"version\": 3 at the top of the file");
+    }
+
+    private void refuses(String lights, String message) {
+        assertThatThrownBy(() -> read(lights))
+                .isInstanceOf(SceneException.class)
+                .hasMessageContaining(message);
+    }
+
+    private Scene read(String lights) {
+        String newest = SampleScene.with("\"version\": 1", "\"version\": 3")
+                .replace("\"name\": \"Sample\",\n", "")
+                .replace(ONE, lights);
+        return SceneReader.read(SampleScene.put(folder, newest));
+    }
+}
