@@ -65,7 +65,7 @@ public final class SceneBuilder {
         return this;
     }
 
-    /** Adds the triangles of a file. */
+    /** Adds triangles: those of a file, or of a {@link dev.twister.scene.Shape}, by {@link Mesh#of}. */
     public SceneBuilder mesh(Mesh mesh) {
         meshes.add(mesh);
         return this;

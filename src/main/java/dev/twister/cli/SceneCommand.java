@@ -80,7 +80,7 @@ final class SceneCommand implements Callable<Integer> {
         } else {
             generate(task.generation);
         }
-        return Main.OK;
+        return ExitCode.OK;
     }
 
     private void say(String done) {
@@ -101,7 +101,7 @@ final class SceneCommand implements Callable<Integer> {
         StringBuilder text = new StringBuilder();
         for (Mesh mesh : scene.meshes()) {
             MeshFile held = meshes.file(mesh);
-            text.append("; %s: %d triangles".formatted(mesh.file().getFileName(), held.shownTriangles()))
+            text.append("; %s: %d triangles".formatted(mesh.geometry().name(), held.shownTriangles()))
                     .append(also(held.parts().size(), "part"))
                     .append(also(held.degenerateTriangles(), "degenerate triangle"));
         }

@@ -14,16 +14,20 @@ import dev.twister.gui.model.Mnemonics;
 import dev.twister.gui.model.ShownPictures;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Shape;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import javafx.beans.value.ObservableValue;
+import javafx.collections.ObservableList;
 import javafx.scene.Scene;
 import javafx.scene.control.CheckMenuItem;
 import javafx.scene.control.Menu;
@@ -72,7 +76,12 @@ final class MenuView extends MenuBar {
     private final Map<MenuItem, Character> letters = new HashMap<>();
     private final Menu recent = new Menu("Open recent");
 
-    MenuView(Studio studio, SettingsKeeper settings, FileActions files, CommandActions actions) {
+    MenuView(
+            Studio studio,
+            SettingsKeeper settings,
+            FileActions files,
+            CommandActions actions,
+            Consumer<Shape.Kind> insertShape) {
         for (Group group : Group.values()) {
             Menu menu = menu(group, actions);
             if (group == Group.VIEW) {
@@ -80,6 +89,8 @@ final class MenuView extends MenuBar {
             }
             getMenus().add(menu);
         }
+        ObservableList<MenuItem> edit = getMenus().get(Group.EDIT.ordinal()).getItems();
+        edit.add(edit.indexOf(items.get(Command.INSERT_MESH)) + 1, shapesMenu(insertShape));
         recent.setId("recent");
         getMenus().getFirst().getItems().add(1, recent);
         underline(getMenus());
@@ -151,6 +162,19 @@ final class MenuView extends MenuBar {
             if (picture == Picture.ALBEDO) {
                 menu.getItems().add(new SeparatorMenuItem());
             }
+            menu.getItems().add(item);
+        }
+        return menu;
+    }
+
+    private static Menu shapesMenu(Consumer<Shape.Kind> insert) {
+        Menu menu = new Menu("Insert shape");
+        menu.setId("menu-insert-shape");
+        for (Shape.Kind kind : Shape.Kind.values()) {
+            String name = Shape.of(kind, 1).name();
+            MenuItem item = new MenuItem(name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1));
+            item.setId("menu-insert-" + name);
+            item.setOnAction(_ -> insert.accept(kind));
             menu.getItems().add(item);
         }
         return menu;

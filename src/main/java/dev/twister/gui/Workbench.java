@@ -139,7 +139,7 @@ final class Workbench implements AutoCloseable {
                                 .set(!clipping.shownProperty().get()));
         panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, actions);
         panel.foldAsKept(settings);
-        menu = new MenuView(studio, settings, files, actions);
+        menu = new MenuView(studio, settings, files, actions, bodies::insert);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
         menu.check(Command.INSPECT, inspector.visibleProperty());
         menu.check(Command.COMPARE, comparison.modeProperty().map(mode -> mode != Mode.OFF));

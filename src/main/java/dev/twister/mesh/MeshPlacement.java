@@ -1,6 +1,8 @@
 package dev.twister.mesh;
 
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Shape;
 import dev.twister.scene.Vector3;
 
 /** The placement of a mesh in a scene. */
@@ -8,8 +10,8 @@ public final class MeshPlacement {
     private MeshPlacement() {}
 
     /**
-     * The transform from the file's coordinates to the scene's: scale, then roll about z (positive from x to y), pitch,
-     * yaw, translation.
+     * The transform from the coordinates of the file, or of the shape's basis, to the scene's: scale, then roll about z
+     * (positive from x to y), pitch, yaw, translation.
      */
     public static Affine of(Mesh mesh) {
         double pitch = Math.toRadians(mesh.rotation().x());
@@ -30,9 +32,19 @@ public final class MeshPlacement {
                 new Vector3(0, 1, 0),
                 new Vector3(Math.sin(yaw), 0, Math.cos(yaw)),
                 mesh.position());
-        double scale = mesh.scale();
-        Affine scaled =
-                new Affine(new Vector3(scale, 0, 0), new Vector3(0, scale, 0), new Vector3(0, 0, scale), Vector3.ZERO);
+        Vector3 stretch = stretch(mesh);
+        Affine scaled = new Affine(
+                new Vector3(stretch.x(), 0, 0),
+                new Vector3(0, stretch.y(), 0),
+                new Vector3(0, 0, stretch.z()),
+                Vector3.ZERO);
         return turned.of(pitched).of(rolled).of(scaled);
+    }
+
+    private static Vector3 stretch(Mesh mesh) {
+        return switch (mesh.geometry()) {
+            case Geometry.OfFile _ -> new Vector3(mesh.scale(), mesh.scale(), mesh.scale());
+            case Shape shape -> shape.stretch().times(mesh.scale());
+        };
     }
 }

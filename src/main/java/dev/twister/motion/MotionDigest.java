@@ -2,6 +2,7 @@ package dev.twister.motion;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraView;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
@@ -60,6 +61,8 @@ final class MotionDigest {
                 add(light.radius());
             }
             case Mesh mesh when mesh.smoothDegrees() != 0 -> add(mesh.withSmooth(0));
+            // Digests of scenes with files alone stay the same.
+            case Geometry.OfFile(Path path) -> add(path);
             case Record record -> {
                 addText(record.getClass().getSimpleName());
                 parts.of(record).forEach(this::add);

@@ -12,6 +12,9 @@ public final class BandedDrawing {
     /** View rays per band; a picture of 1280 x 720 with one sample per pixel is a single band. */
     private static final long RAYS_PER_BAND = 1 << 20;
 
+    /** With a noise bound: bands get different numbers of samples, and the first pass still keeps a device busy. */
+    private static final long RAYS_PER_CONVERGING_BAND = 1 << 17;
+
     /** Enough rows to keep every core busy. */
     private static final int MIN_ROWS = 64;
 
@@ -49,7 +52,7 @@ public final class BandedDrawing {
             Engine engine, FrameInput input, Sampling sampling, boolean linear, RenderProgress progress) {
         int height = input.rows();
         Frame whole = linear ? Frame.ofRadiance(input.width(), height) : Frame.ofPixels(input.width(), height);
-        int rowsPerBand = rowsPerBand(input, sampling.usual());
+        int rowsPerBand = rowsPerBand(input, sampling);
         int fewest = sampling.samples();
         int most = 0;
         double noise = 0;
@@ -86,8 +89,11 @@ public final class BandedDrawing {
         return (linear ? CHANNELS : 1) * (long) Integer.BYTES;
     }
 
-    private static int rowsPerBand(FrameInput input, int samplesPerPixel) {
-        long rows = Math.max(MIN_ROWS, RAYS_PER_BAND / ((long) input.width() * samplesPerPixel)) / SQUARE * SQUARE;
-        return (int) Math.min(rows, input.rows());
+    private static int rowsPerBand(FrameInput input, Sampling sampling) {
+        boolean converges = sampling.noise().isPresent();
+        long raysPerRow = (long) input.width() * (converges ? Sampling.LEAST_CONVERGING : sampling.samples());
+        long rows = converges ? RAYS_PER_CONVERGING_BAND / raysPerRow : RAYS_PER_BAND / raysPerRow;
+        long squares = Math.max(converges ? SQUARE : MIN_ROWS, rows) / SQUARE * SQUARE;
+        return (int) Math.min(squares, input.rows());
     }
 }

@@ -50,11 +50,6 @@ public record Sampling(int samples, Optional<Double> noise) {
         return (double) reached.samples() / reached.expectedSamples(noise.orElse(0.0), samples);
     }
 
-    /** Expected number of samples, for choosing the size of bands. */
-    int usual() {
-        return noise.isPresent() ? 2 * LEAST_CONVERGING : samples;
-    }
-
     /** Text for metadata of files. */
     String text() {
         return noise.map(bound -> "noise " + bound + " at most " + samples).orElse(Integer.toString(samples));

@@ -1,6 +1,5 @@
 package dev.twister.render;
 
-import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.TexturePlaces;
 import java.io.IOException;
@@ -18,7 +17,7 @@ public final class SceneInputs {
         return Stream.of(
                         Stream.of(sceneFile, scene.sky().file()),
                         TexturePlaces.of(scene).keySet().stream(),
-                        scene.meshes().stream().map(Mesh::file))
+                        scene.meshes().stream().flatMap(mesh -> mesh.file().stream()))
                 .flatMap(files -> files)
                 .toList();
     }

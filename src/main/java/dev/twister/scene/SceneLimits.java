@@ -8,6 +8,9 @@ public final class SceneLimits {
     /** Above 0, so that no normal is divided by 0. */
     public static final Range LENGTH = new Range(1e-6, 1e6, "meters");
 
+    /** Of a shape; 0 where it is flat. */
+    public static final Range SHAPE_SIDE = new Range(0, 1e6, "meters");
+
     public static final Range YAW = new Range(-1e6, 1e6, "degrees");
     public static final Range PITCH = new Range(-90, 90, "degrees");
     public static final Range ROTATION = YAW;

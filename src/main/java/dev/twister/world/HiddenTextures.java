@@ -48,7 +48,7 @@ public final class HiddenTextures {
 
     private static String line(Mesh mesh, Path texture, Parts parts) {
         String where = parts.without() == parts.all() ? "" : " in " + parts.without() + " of " + parts.all() + " parts";
-        return mesh.file() + ": no texture coordinates" + where + "; the texture " + texture.getFileName()
+        return mesh.geometry() + ": no texture coordinates" + where + "; the texture " + texture.getFileName()
                 + " is not shown" + (where.isEmpty() ? "" : " there");
     }
 }

@@ -7,9 +7,11 @@ import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPart;
 import dev.twister.mesh.MeshPlacement;
 import dev.twister.mesh.MeshReader;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shape;
 import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -32,10 +34,13 @@ public final class SceneMeshes {
     private final float[] floats;
     private final Map<Source, Loaded> loadedBySource;
 
-    /** A file and the angle on which generated normals depend. */
-    public record Source(Path file, double smoothDegrees) {
+    /** A file and the angle on which generated normals depend, or the basis of shapes of many sizes. */
+    public record Source(Geometry geometry, double smoothDegrees) {
         public static Source of(Mesh mesh) {
-            return new Source(mesh.file(), mesh.smoothDegrees());
+            return switch (mesh.geometry()) {
+                case Geometry.OfFile file -> new Source(file, mesh.smoothDegrees());
+                case Shape shape -> new Source(shape.basis(), 0);
+            };
         }
     }
 
@@ -64,7 +69,7 @@ public final class SceneMeshes {
 
     /** A reader that uses {@link MeshReader#read}. */
     public static Function<Source, MeshFile> reader(Consumer<String> warnings) {
-        return source -> MeshReader.read(source.file(), source.smoothDegrees(), warnings);
+        return source -> MeshReader.read(source.geometry(), source.smoothDegrees(), warnings);
     }
 
     /**
@@ -226,7 +231,7 @@ public final class SceneMeshes {
     private Loaded loaded(Mesh mesh) {
         Loaded loaded = loadedBySource.get(Source.of(mesh));
         if (loaded == null) {
-            throw new IllegalArgumentException("the mesh " + mesh.file() + " was not read");
+            throw new IllegalArgumentException("the mesh " + mesh.geometry() + " was not read");
         }
         return loaded;
     }

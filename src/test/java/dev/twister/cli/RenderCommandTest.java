@@ -290,6 +290,15 @@ class RenderCommandTest {
                 .containsPattern("16 samples per pixel, noise 0\\.[0-9]+; raise --samples to reach 0\\.001\\R$");
     }
 
+    @Test
+    void quietRowsGetFewerSamples() {
+        Path file = folder.resolve("bands.png");
+        String[] options = "--size 1280x64 --noise 0.03 --shadow-samples 1 --bounces 2".split(" ");
+
+        assertThat(render("metals", file, options).out())
+                .containsPattern(", 8 to [1-9][0-9] samples per pixel, noise 0\\.0[0-9]+\\R$");
+    }
+
     private byte[] bytes(String name, String... options) throws IOException {
         Path file = folder.resolve(name);
         String[] sized = new String[options.length + 2];

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.AutosaveFolder;
+import dev.twister.gui.model.BodyChoices;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
@@ -14,8 +15,10 @@ import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.OpenedScene;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shape;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.format.SceneWriter;
@@ -28,6 +31,9 @@ import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.ComboBox;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
+import javafx.scene.control.MenuItem;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
@@ -329,7 +335,7 @@ class MeshesTest {
         Path mesh = Files.copy(VASE, folder.resolve("pot.obj"));
         driver.run(() -> driver.window.workbench().files().drop(List.of(mesh)));
         driver.await(() -> driver.studio.scene().meshes().stream()
-                .anyMatch(shown -> shown.file().equals(mesh)));
+                .anyMatch(shown -> shown.file().equals(Optional.of(mesh))));
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("pot.json – Twister");
         DrawnPicture picture = awaitMeshes();
         assertThat(picture.input().bodies().firstMesh()).isPositive();
@@ -353,13 +359,39 @@ class MeshesTest {
     }
 
     @Test
+    void aShapeIsInsertedOnThePlane() {
+        driver.run(() -> menu("menu-insert-shape").getItems().stream()
+                .filter(item -> "menu-insert-torus".equals(item.getId()))
+                .forEach(MenuItem::fire));
+        awaitMeshes();
+        assertThat(selected()).isEqualTo(BodyNumber.ofMesh(2));
+        assertThat(undoable()).isEqualTo("insert torus");
+        Mesh ring = now().meshes().getLast();
+        assertThat(BodyChoices.title(now(), selected())).isEqualTo("Mesh 3 (torus)");
+        assertThat(ring.position().y() - ((Shape) ring.geometry()).size().y() / 2)
+                .isGreaterThanOrEqualTo(now().ground().height());
+        driver.run(driver.studio::undo);
+        assertThat(now().meshes()).hasSize(2);
+    }
+
+    private static Menu menu(String id) {
+        return ((MenuBar) driver.stage.getScene().lookup(".menu-bar"))
+                .getMenus().stream()
+                        .flatMap(menu -> menu.getItems().stream())
+                        .filter(item -> id.equals(item.getId()))
+                        .map(Menu.class::cast)
+                        .findFirst()
+                        .orElseThrow();
+    }
+
+    @Test
     void aSceneWithAMeshThatIsBrokenIsShownWithoutIt() throws IOException {
         Path broken = Files.writeString(folder.resolve("broken.obj"), "v 0 0 0\n");
         Scene scene = scene();
         Path file = folder.resolve("scene.json");
         SceneWriter.write(
                 scene.withMeshes(List.of(
-                        scene.meshes().getFirst().withFile(broken),
+                        scene.meshes().getFirst().withGeometry(new Geometry.OfFile(broken)),
                         scene.meshes().getLast())),
                 file);
         driver.run(() -> driver.window.workbench().files().open(file));

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.mesh.TriangleMesh;
 import dev.twister.oracle.MeshShapes;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
@@ -91,15 +92,15 @@ class CoincidenceTest {
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withGround(Ground.DEFAULT.withHeight(groundHeight))
                 .withMeshes(placed);
-        SceneMeshes meshes = SceneMeshes.of(scene, source -> MeshShapes.file(shape(source.file())));
+        SceneMeshes meshes = SceneMeshes.of(scene, source -> MeshShapes.file(shape(source.geometry())));
         return World.of(scene, SceneImages.of(new Skybox(1, 1, new float[3])), meshes)
                 .snapshot();
     }
 
     /** A square of side 2, a triangle around it, or the square's triangles twice with other first corners. */
-    private static TriangleMesh shape(Path file) {
+    private static TriangleMesh shape(Geometry file) {
         TriangleMesh square = MeshShapes.square();
-        TriangleMesh other = file.equals(DOUBLE)
+        TriangleMesh other = file.equals(new Geometry.OfFile(DOUBLE))
                 ? new TriangleMesh(
                         square.positions(), new float[0], new float[0], new int[] {0, 2, 1, 1, 2, 3, 2, 1, 0, 3, 1, 2})
                 : new TriangleMesh(
@@ -107,7 +108,7 @@ class CoincidenceTest {
                         new float[0],
                         new float[0],
                         new int[] {0, 1, 2});
-        return file.equals(SQUARE) ? square : other;
+        return file.equals(new Geometry.OfFile(SQUARE)) ? square : other;
     }
 
     /** The body that a random ray through the square's middle, at least 6 degrees steep, meets. */

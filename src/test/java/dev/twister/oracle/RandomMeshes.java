@@ -4,6 +4,7 @@ import dev.twister.mesh.Affine;
 import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPart;
 import dev.twister.mesh.TriangleMesh;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
@@ -30,12 +31,12 @@ public final class RandomMeshes {
     /** Any scene, from one source of randomness. */
     public static LitScene scene(Random random, int bounces) {
         LitScene plain = RandomMaterials.scene(random, bounces);
-        Map<Path, MeshFile> files = new HashMap<>();
+        Map<Geometry, MeshFile> files = new HashMap<>();
         List<Mesh> meshes = new ArrayList<>();
         int triangles = 0;
         int count = 1 + random.nextInt(MOST_MESHES);
         for (int i = 0; i < count; i++) {
-            Path file = Path.of("mesh" + random.nextInt(count));
+            Geometry file = new Geometry.OfFile(Path.of("mesh" + random.nextInt(count)));
             files.computeIfAbsent(file, name -> file(random));
             triangles += (int) files.get(file).shownTriangles();
             meshes.add(mesh(random, file));
@@ -45,10 +46,10 @@ public final class RandomMeshes {
                 scene.withRendering(RandomMaterials.settings(
                         scene.rendering(), scene.spheres().size() + triangles)),
                 plain.images(),
-                SceneMeshes.of(scene, source -> files.get(source.file())));
+                SceneMeshes.of(scene, source -> files.get(source.geometry())));
     }
 
-    private static Mesh mesh(Random random, Path file) {
+    private static Mesh mesh(Random random, Geometry file) {
         Mesh mesh = Mesh.of(file)
                 .withPosition(new Vector3(
                         RandomScenes.between(random, -5, 5),

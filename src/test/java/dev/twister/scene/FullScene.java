@@ -43,7 +43,7 @@ public final class FullScene {
                                 Sphere.of(new Vector3(1.1, 3, 0.1), 0.4, glass),
                                 Sphere.of(new Vector3(-1, 1.5, 0), 0.3, material(0.2, 40))),
                         List.of(new Mesh(
-                                MESH,
+                                new Geometry.OfFile(MESH),
                                 new Vector3(-1, 0.2, 0),
                                 new Vector3(10, 20, 30),
                                 0.6,

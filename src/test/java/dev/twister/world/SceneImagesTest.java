@@ -86,7 +86,7 @@ class SceneImagesTest {
         SceneImages.read(scene, SceneMeshes.of(scene, _ -> MeshShapes.file(MeshShapes.cube())), warnings::add);
 
         assertThat(warnings)
-                .containsExactly(mesh.file() + ": no texture coordinates; the texture red.png is not shown");
+                .containsExactly(mesh.geometry() + ": no texture coordinates; the texture red.png is not shown");
     }
 
     @Test

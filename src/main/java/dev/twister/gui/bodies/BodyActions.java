@@ -4,6 +4,7 @@ import dev.twister.gui.controls.Problems;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyGroup;
 import dev.twister.gui.model.NewLight;
+import dev.twister.gui.model.NewMesh;
 import dev.twister.gui.model.NewSphere;
 import dev.twister.gui.model.Orbit;
 import dev.twister.gui.model.SelectedBodies;
@@ -13,6 +14,7 @@ import dev.twister.gui.studio.Selection;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Shape;
 import java.util.List;
 import java.util.Optional;
 
@@ -34,6 +36,14 @@ public final class BodyActions {
         studio.pictureProperty().get().ifPresent(shown -> {
             studio.insert("insert sphere", List.of(NewSphere.inFrontOf(shown.input(), studio.scene())));
         });
+    }
+
+    public void insert(Shape.Kind kind) {
+        studio.pictureProperty()
+                .get()
+                .ifPresent(shown -> studio.insert(
+                        "insert " + Shape.of(kind, 1).name(),
+                        List.of(NewMesh.inFrontOf(shown.input(), studio.scene(), kind))));
     }
 
     public void insertLight() {

@@ -1,5 +1,6 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.TexturePlaces;
@@ -81,7 +82,7 @@ final class LivingTextures {
                 .isPresent();
     }
 
-    private static Set<Path> meshFiles(Scene scene) {
-        return scene.meshes().stream().map(Mesh::file).collect(Collectors.toSet());
+    private static Set<Geometry> meshFiles(Scene scene) {
+        return scene.meshes().stream().map(Mesh::geometry).collect(Collectors.toSet());
     }
 }

@@ -88,7 +88,7 @@ public final class MeshShelf {
     public synchronized void cancel() {
         task.ifPresent(canceled -> {
             canceled.missing.forEach(mesh -> complaints.put(
-                    Source.of(mesh), mesh.file() + ": reading was canceled; open the scene again to see it"));
+                    Source.of(mesh), mesh.geometry() + ": reading was canceled; open the scene again to see it"));
             task = Optional.empty();
             edition++;
         });
@@ -158,11 +158,11 @@ public final class MeshShelf {
         } catch (MeshException problem) {
             meshes.forEach(mesh -> problems.put(Source.of(mesh), problem.getMessage()));
         } catch (OutOfMemoryError _) {
-            meshes.forEach(
-                    mesh -> problems.put(Source.of(mesh), mesh.file() + ": there is not enough memory for this mesh"));
+            meshes.forEach(mesh ->
+                    problems.put(Source.of(mesh), mesh.geometry() + ": there is not enough memory for this mesh"));
         } catch (RuntimeException | Error problem) {
             meshes.forEach(
-                    mesh -> problems.put(Source.of(mesh), mesh.file() + ": this mesh cannot be read: " + problem));
+                    mesh -> problems.put(Source.of(mesh), mesh.geometry() + ": this mesh cannot be read: " + problem));
         }
     }
 
@@ -208,6 +208,6 @@ public final class MeshShelf {
     }
 
     private static String name(Mesh mesh) {
-        return String.valueOf(mesh.file().getFileName());
+        return mesh.geometry().name();
     }
 }

@@ -58,11 +58,11 @@ public final class AssetActions {
 
     void readMesh(Mesh mesh, Consumer<MeshFile> then) {
         reading.begin(
-                FileNames.name(mesh.file()),
+                mesh.geometry().name(),
                 () -> studio.assets().readMesh(mesh),
                 then,
                 problem -> {
-                    settings.forgetIfGone(mesh.file());
+                    mesh.file().ifPresent(settings::forgetIfGone);
                     complain("Couldn't open the mesh", problem);
                 },
                 () -> {});

@@ -86,13 +86,14 @@ public final class FileActions {
 
     /** Shows a mesh in a scene of its own. */
     private void openMesh(Path file) {
-        Mesh mesh = Mesh.of(FileNames.absolute(file)).withSmooth(MeshStage.SMOOTH_DEGREES);
+        Path absolute = FileNames.absolute(file);
+        Mesh mesh = Mesh.of(absolute).withSmooth(MeshStage.SMOOTH_DEGREES);
         Path sky = FileNames.absolute(shipped.skyboxes().resolve(ShippedSky.DAY.fileName()));
         assets.readMesh(mesh, held -> {
-            Scene stage = MeshStage.of(mesh.file(), held, sky);
+            Scene stage = MeshStage.of(absolute, held, sky);
             saving.afterSaving(() -> {
                 studio.assets().keepMesh(mesh, held);
-                studio.show(new OpenedScene(MeshStage.sceneFile(mesh.file()), stage));
+                studio.show(new OpenedScene(MeshStage.sceneFile(absolute), stage));
                 settings.remember(file);
             });
         });

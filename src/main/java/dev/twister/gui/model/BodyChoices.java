@@ -56,7 +56,7 @@ public final class BodyChoices {
     public static String title(Scene scene, int body) {
         if (BodyEdits.isMesh(scene, body)) {
             return "Mesh " + (BodyNumber.mesh(body) + 1) + " ("
-                    + BodyEdits.mesh(scene, body).file().getFileName() + ")";
+                    + BodyEdits.mesh(scene, body).geometry().name() + ")";
         }
         if (BodyEdits.isLight(scene, body)) {
             return scene.lights().count() == 1 ? "Light" : "Light " + (BodyNumber.light(body) + 1);

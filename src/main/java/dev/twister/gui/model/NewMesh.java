@@ -3,13 +3,25 @@ package dev.twister.gui.model;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
+import java.util.Optional;
 
 /** The mesh that the user inserts: of the size and at the place of a new sphere. */
 public final class NewMesh {
     private NewMesh() {}
+
+    /** A new shape of the usual proportions, made of what a new sphere would be. */
+    public static Mesh inFrontOf(FrameInput input, Scene scene, Shape.Kind kind) {
+        Sphere room = NewSphere.inFrontOf(input, scene);
+        Shape shape = Shape.of(kind, 2 * room.radius());
+        Vector3 up = new Vector3(0, shape.size().y() / 2 - room.radius(), 0);
+        return Mesh.of(shape)
+                .withMaterial(Optional.of(room.material()))
+                .withPosition(SceneLimits.POSITION.clamp(room.position().plus(up)));
+    }
 
     /**
      * The mesh with a place and a scale.

@@ -30,7 +30,7 @@ final class MaterialSection extends VBox {
         hint.setId("material-hint");
         own = new SwitchRow(
                 "Own material",
-                "Give the mesh one material. Off: the materials of its file.",
+                "Give the mesh one material. Off: the materials of its file, or the default.",
                 "Alt+Shift+7",
                 this::setOwn);
         studio.selection().activeProperty().subscribe(_ -> rebuild());
@@ -76,7 +76,10 @@ final class MaterialSection extends VBox {
             hint.setText(rows.hint());
         });
         if (mesh && !has) {
-            hint.setText(BodyChoices.title(studio.scene(), body) + " has the materials of its file.");
+            hint.setText(BodyChoices.title(studio.scene(), body)
+                    + (BodyEdits.mesh(studio.scene(), body).file().isPresent()
+                            ? " has the materials of its file."
+                            : " has the default material."));
         }
     }
 

@@ -294,14 +294,23 @@ final class SceneFormat {
 
     /** With neither a named material nor fields of one, it is made of what its file says. */
     Shaped<Mesh> mesh() {
+        return new Shaped<>(
+                MeshFields.SHAPE,
+                mesh(Mesh.of(MeshFields.DEFAULT), MeshFields.ofShape(), List.of()),
+                mesh(Mesh.DEFAULT, MeshFields.ofFile(file), MeshFields.shading()),
+                mesh -> mesh.file().isEmpty());
+    }
+
+    /**
+     * @param triangles the fields that say what its triangles are
+     * @param shading those that say how they are shaded
+     */
+    private Shaped<Mesh> mesh(Mesh defaults, List<Field<Mesh, ?>> triangles, List<Field<Mesh, ?>> shading) {
         List<Field<Mesh, ?>> placement = List.of(
-                required("file", file, Mesh::file, Mesh::withFile).from(2),
                 sparse("position", POSITION, Mesh::position, Mesh::withPosition).from(2),
                 sparse("rotation", ValueType.angles(SceneLimits.ROTATION), Mesh::rotation, Mesh::withRotation)
                         .from(2),
                 sparse("scale", new Decimal(SceneLimits.SCALE), Mesh::scale, Mesh::withScale)
-                        .from(2),
-                sparse("smooth", new Decimal(SceneLimits.SMOOTH), Mesh::smoothDegrees, Mesh::withSmooth)
                         .from(2));
         Field<Mesh, Material> name = Field.<Mesh, Material>required(
                         MATERIAL,
@@ -318,11 +327,13 @@ final class SceneFormat {
                 .from(2);
         return new Shaped<>(
                 MATERIAL,
-                structure(Mesh.DEFAULT, List.of(placement, List.of(name))),
+                structure(defaults, List.of(triangles, placement, shading, List.of(name))),
                 structure(
-                        Mesh.DEFAULT,
+                        defaults,
                         List.of(
+                                triangles,
                                 placement,
+                                shading,
                                 List.of(color),
                                 uncolored
                                         .optional()
@@ -427,7 +438,7 @@ final class SceneFormat {
                                 Scene::spheres,
                                 Scene::withSpheres),
                         sparse(
-                                        "meshes",
+                                        ShapeRules.MESHES,
                                         new Lines<>(new Array<>(
                                                 mesh(),
                                                 0,

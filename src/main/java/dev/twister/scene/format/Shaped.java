@@ -1,15 +1,15 @@
 package dev.twister.scene.format;
 
-import dev.twister.scene.format.ValueType.Structure;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 /** An object of one of two shapes, told apart by a field. */
-final class Shaped<R> implements ValueType<R> {
+final class Shaped<R> implements ObjectType<R> {
     private final String key;
-    private final Structure<R> keyed;
-    private final Structure<R> plain;
+    private final ObjectType<R> keyed;
+    private final ObjectType<R> plain;
     private final Predicate<R> isKeyed;
     private final List<String> onlyKeyed;
     private final List<String> onlyPlain;
@@ -26,7 +26,7 @@ final class Shaped<R> implements ValueType<R> {
      * @param plain where it is not
      * @param isKeyed whether a record is written in the first shape
      */
-    Shaped(String key, Structure<R> keyed, Structure<R> plain, Predicate<R> isKeyed) {
+    Shaped(String key, ObjectType<R> keyed, ObjectType<R> plain, Predicate<R> isKeyed) {
         this.key = key;
         this.keyed = keyed;
         this.plain = plain;
@@ -42,25 +42,38 @@ final class Shaped<R> implements ValueType<R> {
         return key;
     }
 
-    Structure<R> keyed() {
+    ObjectType<R> keyed() {
         return keyed;
     }
 
-    Structure<R> plain() {
+    ObjectType<R> plain() {
         return plain;
     }
 
     @Override
+    public List<String> names() {
+        return Stream.concat(keyed.names().stream(), plain.names().stream())
+                .distinct()
+                .toList();
+    }
+
+    @Override
     public R read(Place place) {
+        return read(place, List.of());
+    }
+
+    @Override
+    public R read(Place place, List<String> alternatives) {
         Fields fields = place.fields();
         if (fields.find(key).isEmpty()) {
             refuse(fields, onlyKeyed, alone, plain);
-            return plain.read(place, keys);
+            return plain.read(
+                    place, Stream.concat(keys.stream(), alternatives.stream()).toList());
         }
         if (!keys.isEmpty()) {
             refuse(fields, onlyPlain, beside, keyed);
         }
-        return keyed.read(place);
+        return keyed.read(place, alternatives);
     }
 
     @Override
@@ -73,11 +86,11 @@ final class Shaped<R> implements ValueType<R> {
         return shape(value).version(value);
     }
 
-    private Structure<R> shape(R value) {
+    private ObjectType<R> shape(R value) {
         return isKeyed.test(value) ? keyed : plain;
     }
 
-    private void refuse(Fields fields, List<String> names, String what, Structure<R> shape) {
+    private void refuse(Fields fields, List<String> names, String what, ObjectType<R> shape) {
         for (String name : names) {
             Optional<Place> found = fields.find(name);
             if (found.isPresent()) {
@@ -86,7 +99,7 @@ final class Shaped<R> implements ValueType<R> {
         }
     }
 
-    private static List<String> without(List<String> names, Structure<?> shape) {
+    private static List<String> without(List<String> names, ObjectType<?> shape) {
         return shape.names().stream().filter(name -> !names.contains(name)).toList();
     }
 }

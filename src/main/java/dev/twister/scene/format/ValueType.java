@@ -25,7 +25,8 @@ import java.util.stream.Stream;
 sealed interface ValueType<T>
         permits Members,
                 NamedMaterials,
-                Shaped,
+                ObjectType,
+                ShapeSize,
                 ValueType.Array,
                 ValueType.Choice,
                 ValueType.Converted,
@@ -33,7 +34,6 @@ sealed interface ValueType<T>
                 ValueType.FilePath,
                 ValueType.Flag,
                 ValueType.Lines,
-                ValueType.Structure,
                 ValueType.Text,
                 ValueType.Version,
                 ValueType.WholeNumber {
@@ -252,7 +252,7 @@ sealed interface ValueType<T>
      * @param fields in the order in which they are written
      * @param newer fields that only later versions of the format have
      */
-    record Structure<R>(R defaults, List<Field<R, ?>> fields, List<Field<R, ?>> newer) implements ValueType<R> {
+    record Structure<R>(R defaults, List<Field<R, ?>> fields, List<Field<R, ?>> newer) implements ObjectType<R> {
         /** As every version of the format has it. */
         Structure(R defaults, List<Field<R, ?>> fields) {
             this(defaults, fields, List.of());
@@ -271,12 +271,8 @@ sealed interface ValueType<T>
             return read(place, List.of());
         }
 
-        /**
-         * Reads an object.
-         *
-         * @param alternatives fields that it does not have, and that would make it another object
-         */
-        R read(Place place, List<String> alternatives) {
+        @Override
+        public R read(Place place, List<String> alternatives) {
             Fields found = place.fields();
             for (Field<R, ?> field : newer) {
                 found.find(field.name()).ifPresent(value -> {
@@ -330,7 +326,8 @@ sealed interface ValueType<T>
                     .toList();
         }
 
-        List<String> names() {
+        @Override
+        public List<String> names() {
             return fields.stream().map(Field::name).toList();
         }
     }

@@ -13,6 +13,7 @@ import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.Pictures;
 import dev.twister.oracle.RandomMeshes;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
@@ -122,8 +123,8 @@ class MeshesInLanesTest {
                 .withPosition(new Vector3(0, 1.5, 0))
                 .withRotation(new Vector3(35, 20, 10))
                 .withMaterial(Optional.of(Material.DEFAULT.withColor(new Rgb(1, 0, 0))));
-        Mesh same =
-                face.withFile(Path.of("same")).withMaterial(Optional.of(Material.DEFAULT.withColor(new Rgb(0, 0, 1))));
+        Mesh same = face.withGeometry(new Geometry.OfFile(Path.of("same")))
+                .withMaterial(Optional.of(Material.DEFAULT.withColor(new Rgb(0, 0, 1))));
         Scene scene = opaque(new Random(1))
                 .scene()
                 .withGround(Ground.of(30, 0, WHITE, WHITE, 40))
@@ -133,8 +134,8 @@ class MeshesInLanesTest {
         TriangleMesh square = MeshShapes.square();
         TriangleMesh other =
                 new TriangleMesh(square.positions(), new float[0], new float[0], new int[] {0, 2, 3, 0, 3, 1});
-        SceneMeshes meshes =
-                SceneMeshes.of(scene, source -> MeshShapes.file(source.file().equals(face.file()) ? square : other));
+        SceneMeshes meshes = SceneMeshes.of(
+                scene, source -> MeshShapes.file(source.geometry().equals(face.geometry()) ? square : other));
         FrameInput input =
                 new LitScene(scene, SceneImages.of(SKY), meshes).world().snapshot();
         try (Engine engine = WidthLoader.openForCrowds(bits, 2, crowd)) {

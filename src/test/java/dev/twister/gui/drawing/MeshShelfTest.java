@@ -6,6 +6,7 @@ import dev.twister.gui.WindowScenes;
 import dev.twister.mesh.MeshException;
 import dev.twister.mesh.MeshFile;
 import dev.twister.oracle.MeshShapes;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.world.SceneMeshes;
@@ -25,12 +26,12 @@ class MeshShelfTest {
     private static final Mesh BROKEN = Mesh.of(Path.of("broken.obj"));
     private static final long LIMIT_SECONDS = 300;
 
-    private final Queue<Path> read = new ConcurrentLinkedQueue<>();
+    private final Queue<Geometry> read = new ConcurrentLinkedQueue<>();
     private final CountDownLatch go = new CountDownLatch(1);
     private final MeshShelf shelf = new MeshShelf(this::read);
 
     private MeshFile read(Source source) {
-        read.add(source.file());
+        read.add(source.geometry());
         if (source.equals(Source.of(BROKEN))) {
             throw new MeshException("broken.obj: holds no triangles");
         }
@@ -64,13 +65,13 @@ class MeshShelfTest {
     void aFileIsReadOnceForTwoMeshesAndLeavesThoseThatAreThere() {
         SceneMeshes meshes = awaited(of(CUBE, CUBE.withScale(2)), 0);
         assertThat(meshes.holds(CUBE.withScale(3))).isTrue();
-        assertThat(read).containsExactly(CUBE.file());
+        assertThat(read).containsExactly(CUBE.geometry());
         go.countDown();
 
         SceneMeshes more = awaited(of(BALL, CUBE), 0);
         assertThat(more.holds(CUBE)).isTrue();
         assertThat(more.holds(BALL)).isTrue();
-        assertThat(read).containsExactly(CUBE.file(), BALL.file());
+        assertThat(read).containsExactly(CUBE.geometry(), BALL.geometry());
         assertThat(shelf.progress()).isEmpty();
         // Undo brings a deleted one back at once.
         assertThat(shelf.of(of(CUBE), 0)).isSameAs(more);
@@ -111,6 +112,6 @@ class MeshShelfTest {
         assertThat(awaited(of(CUBE), 0).holds(CUBE)).isTrue();
         assertThat(read).isEmpty();
         awaited(of(CUBE), 1);
-        assertThat(read).containsExactly(CUBE.file());
+        assertThat(read).containsExactly(CUBE.geometry());
     }
 }

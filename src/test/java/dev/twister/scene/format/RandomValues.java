@@ -42,7 +42,8 @@ final class RandomValues {
                     case ValueType.Lines<?>(ValueType.Array<?> array) -> items(array);
                     case ValueType.Converted<?, ?> converted -> decoded(converted);
                     case ValueType.Structure<?> structure -> structure(structure);
-                    case Shaped<?> shaped -> structure(shaped.plain());
+                    case Shaped<?> shaped -> of(shaped.plain());
+                    case ShapeSize size -> List.of(of(size.width()));
                     // Bodies have materials of their own.
                     case Members<?> _ -> new LinkedHashMap<>();
                     case NamedMaterials _ -> Material.DEFAULT;

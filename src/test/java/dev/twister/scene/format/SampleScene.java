@@ -50,6 +50,20 @@ final class SampleScene {
             }
             """;
 
+    /** Shapes, which need the third version. */
+    static final String SHAPES = """
+            {
+              "version": 3,
+              "camera": {"position": [0, 1, -8], "yaw": 0, "pitch": 7, "fieldOfView": 50},
+              "light": {"position": [0, 6, 0], "radius": 1.2, "color": [1, 1, 1]},
+              "plane": {"size": 48, "height": 0, "colors": [[0.4, 0.4, 0.4], [0.2, 0.2, 0.2]], "reflectivity": 32},
+              "skybox": "sky.hdr", "spheres": [],
+              "meshes": [
+                {"shape": "box", "size": [1, 2, 3], "position": [0, 1, 0]}
+              ]
+            }
+            """;
+
     private SampleScene() {}
 
     /** Returns the text with the only occurrence of a part replaced. */

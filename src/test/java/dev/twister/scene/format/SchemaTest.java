@@ -70,10 +70,23 @@ class SchemaTest {
     }
 
     private static <R> Optional<Map<String, Object>> newerIn(Shaped<R> shaped) {
-        return refused(
-                shaped.plain().fields(),
-                Stream.concat(shaped.keyed().newer().stream(), shaped.plain().newer().stream())
-                        .toList());
+        return refused(fields(shaped), newer(shaped));
+    }
+
+    private static <R> List<Field<R, ?>> fields(ObjectType<R> type) {
+        return switch (type) {
+            case Shaped<R> shaped -> fields(shaped.plain());
+            case ValueType.Structure<R> structure -> structure.fields();
+        };
+    }
+
+    private static <R> List<Field<R, ?>> newer(ObjectType<R> type) {
+        return switch (type) {
+            case Shaped<R> shaped ->
+                Stream.concat(newer(shaped.keyed()).stream(), newer(shaped.plain()).stream())
+                        .toList();
+            case ValueType.Structure<R> structure -> structure.newer();
+        };
     }
 
     private static <R> Optional<Map<String, Object>> refused(List<Field<R, ?>> fields, List<Field<R, ?>> newer) {
@@ -145,6 +158,8 @@ class SchemaTest {
                         "additionalProperties",
                         schemaOf(members.type())));
             case NamedMaterials _ -> schema(Map.of("type", "string"));
+            case ShapeSize(ValueType.Decimal width, ValueType.Array<Double> axes) ->
+                schema(Map.of("anyOf", List.of(schemaOf(width), schemaOf(axes))));
             case Shaped<?> shaped ->
                 schema(Map.of(
                         "if",

@@ -133,8 +133,7 @@ final class SpoiltScenes {
                     true,
                     "\"radius\": 1.5, \"color\"",
                     "\"radius\": 1.5, \"colors\"",
-                    "16:45: $.spheres[1] has an unknown field \"colors\" (did you mean \"color\"?); allowed here: "
-                            + names(FORMAT.sphere().plain())),
+                    "16:45: $.spheres[1] has an unknown field \"colors\" (did you mean \"color\"?); allowed here: position, radius, color, reflectivity"),
             new Spoilt(
                     "unknown field, nothing near",
                     true,
@@ -152,8 +151,7 @@ final class SpoiltScenes {
                     true,
                     "\"radius\": 1.5, ",
                     "",
-                    "16:5: $.spheres[1].radius is missing; required here: "
-                            + String.join(", ", FORMAT.sphere().plain().names(true))),
+                    "16:5: $.spheres[1].radius is missing; required here: position, radius, color, reflectivity"),
             new Spoilt(
                     "missing part",
                     true,
@@ -521,12 +519,82 @@ final class SpoiltScenes {
                     "\"reflectivity\": 32",
                     "\"texture\": \"earth.png\", \"reflectivity\": 32",
                     "8:99: $.plane.texture"),
+            shape(
+                    "unknown shape",
+                    true,
+                    "\"box\"",
+                    "\"cube\"",
+                    "8:15: $.meshes[0].shape is \"cube\", but must be one of \"box\", \"quad\", \"cylinder\", \"cone\", \"torus\", \"icosphere\""),
+            shape(
+                    "size of two numbers",
+                    true,
+                    "[1, 2, 3]",
+                    "[1, 2]",
+                    "8:30: $.meshes[0].size is an array of 2 items, but must be a number or an array of 3 numbers [x, y, z]"),
+            shape(
+                    "size by a word",
+                    true,
+                    "[1, 2, 3]",
+                    "\"large\"",
+                    "8:30: $.meshes[0].size is \"large\", but must be a number or an array of 3 numbers [x, y, z]"),
+            shape(
+                    "no size",
+                    true,
+                    "[1, 2, 3]",
+                    "0",
+                    "8:30: $.meshes[0].size is 0, but must be a number from 0.000001 to 1000000 meters"),
+            shape(
+                    "flat box",
+                    false,
+                    "[1, 2, 3]",
+                    "[1, 0, 3]",
+                    "8:30: $.meshes[0].size is [1, 0, 3], but the size of a box must be numbers from 0.000001 to 1000000 meters"),
+            shape(
+                    "thick quad",
+                    false,
+                    "\"box\"",
+                    "\"quad\"",
+                    "8:31: $.meshes[0].size is [1, 2, 3], but the size of a quad must be [x, y, 0], with x and y from 0.000001 to 1000000 meters"),
+            shape(
+                    "ring without a hole",
+                    false,
+                    "\"box\"",
+                    "\"torus\"",
+                    "8:32: $.meshes[0].size is [1, 2, 3], but the size of a torus must be [x, y, z] from 0.000001 to 1000000 meters, with y below half of x"),
+            shape(
+                    "shape and file",
+                    true,
+                    "\"size\": [1",
+                    "\"file\": \"earth.png\", \"size\": [1",
+                    "8:30: $.meshes[0].file and \"shape\" are both given; allowed beside \"shape\": size, position, rotation, scale, material, color, reflectivity, roughness, metallic, transmission, ior, emission, emissionStrength, doubleSided, attenuationColor, attenuationDistance, texture"),
+            shape(
+                    "size of a file",
+                    true,
+                    "\"shape\": \"box\"",
+                    "\"file\": \"earth.png\"",
+                    "8:35: $.meshes[0].size goes with \"shape\" only, which is not given here; allowed without it: file, position, rotation, scale, smooth, material, color, reflectivity, roughness, metallic, transmission, ior, emission, emissionStrength, doubleSided, attenuationColor, attenuationDistance, texture"),
+            shape(
+                    "neither file nor shape",
+                    true,
+                    "\"shape\": \"box\", \"size\": [1, 2, 3], ",
+                    "",
+                    "8:5: $.meshes[0].file is missing; required here: file"),
+            shape(
+                    "shape in version 2",
+                    true,
+                    "\"version\": 3",
+                    "\"version\": 2",
+                    "8:15: $.meshes[0].shape needs \"version\": 3 at the top of the file"),
             first("poured glass", "\"reflectivity\": 12", "\"reflectivity\": 12, \"ior\": 2", "13:160: $.pour.ior"));
 
     private SpoiltScenes() {}
 
     private static Spoilt material(String name, boolean schemaSees, String part, String replacement, String message) {
         return new Spoilt(SampleScene.MATERIALS, name, schemaSees, part, replacement, message);
+    }
+
+    private static Spoilt shape(String name, boolean schemaSees, String part, String replacement, String message) {
+        return new Spoilt(SampleScene.SHAPES, name, schemaSees, part, replacement, message);
     }
 
     /** Features of the second version in a file of the first. */

@@ -15,6 +15,8 @@ final class Values {
     private static final int MOST_CHARACTERS = 60;
     private static final List<Path> FILES = List.of(Path.of("sky.hdr"), Path.of("earth.png"));
 
+    private static final Arbitrary<Boolean> FLAGS = Arbitraries.of(List.of(true, false));
+
     private Values() {}
 
     @SuppressWarnings("unchecked") // each type reads what its case gives
@@ -24,7 +26,7 @@ final class Values {
                     case ValueType.Decimal(Range range) -> numbers(range);
                     case ValueType.WholeNumber(Range range) ->
                         Arbitraries.integers().between((int) range.min(), (int) range.max());
-                    case ValueType.Flag() -> Arbitraries.of(List.of(true, false));
+                    case ValueType.Flag() -> FLAGS;
                     case ValueType.Text(int min, int max) -> texts(min, max);
                     case ValueType.FilePath _ -> Arbitraries.of(FILES);
                     case ValueType.Version _ -> Arbitraries.just(1);
@@ -36,6 +38,7 @@ final class Values {
                     case Members<?> members -> members(members);
                     case NamedMaterials named -> Arbitraries.of(named.byName().values());
                     case Shaped<?> shaped -> shapes(shaped);
+                    case ShapeSize size -> sizes(size);
                 };
     }
 
@@ -74,16 +77,20 @@ final class Values {
     }
 
     private static <R> Arbitrary<R> shapes(Shaped<R> shaped) {
-        return canBeKeyed(shaped)
-                ? Arbitraries.oneOf(records(shaped.keyed()), records(shaped.plain()))
-                : records(shaped.plain());
+        return canBeKeyed(shaped) ? Arbitraries.oneOf(of(shaped.keyed()), of(shaped.plain())) : of(shaped.plain());
     }
 
-    // Omitted in the first version and where no material has a name.
+    // Omitted in older versions, and where it is the name of a material and no material has one.
     private static boolean canBeKeyed(Shaped<?> shaped) {
-        return shaped.keyed().fields().stream()
-                .anyMatch(field -> field.type() instanceof NamedMaterials named
-                        && !named.byName().isEmpty());
+        return shaped.keyed().names().contains(shaped.key())
+                && !(shaped.keyed() instanceof ValueType.Structure<?> structure
+                        && structure.fields().stream()
+                                .anyMatch(field -> field.type() instanceof NamedMaterials named
+                                        && named.byName().isEmpty()));
+    }
+
+    private static Arbitrary<List<Double>> sizes(ShapeSize size) {
+        return Arbitraries.oneOf(of(size.width()).map(List::of), of(size.axes()));
     }
 
     private static <R> Arbitrary<R> records(ValueType.Structure<R> structure) {
@@ -94,12 +101,13 @@ final class Values {
         return records;
     }
 
+    // One chain of fields: a choice between records with and without each would double the work with each field.
     private static <R, T> Arbitrary<R> withAny(Arbitrary<R> records, Field<R, T> field) {
-        Arbitrary<R> changed = Combinators.combine(records, of(field.type()))
-                .as((record, value) -> field.with().apply(record, value));
-        return switch (field.presence()) {
-            case SPARSE, EITHER -> Arbitraries.oneOf(records, changed);
-            case REQUIRED, WRITTEN -> changed;
+        boolean always = switch (field.presence()) {
+            case SPARSE, EITHER -> false;
+            case REQUIRED, WRITTEN -> true;
         };
+        return Combinators.combine(records, of(field.type()), always ? Arbitraries.just(true) : FLAGS)
+                .as((record, value, given) -> given ? field.with().apply(record, value) : record);
     }
 }

@@ -1,0 +1,66 @@
+package dev.twister.scene.format;
+
+import static dev.twister.scene.format.Field.required;
+import static dev.twister.scene.format.Field.sparse;
+
+import dev.twister.scene.Geometry;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Shape;
+import java.nio.file.Path;
+import java.util.List;
+
+/** The fields that say what a mesh's triangles are: those of a file, or of a shape. */
+final class MeshFields {
+    static final String SHAPE = "shape";
+    static final String SIZE = "size";
+
+    /** The size that a scene file leaves out. */
+    static final Shape DEFAULT = Shape.of(Shape.Kind.BOX, 1);
+
+    private MeshFields() {}
+
+    static List<Field<Mesh, ?>> ofFile(ValueType.FilePath file) {
+        return List.of(
+                required("file", file, MeshFields::file, MeshFields::withFile).from(2));
+    }
+
+    /** How the triangles of a file are shaded. */
+    static List<Field<Mesh, ?>> shading() {
+        return List.of(
+                sparse("smooth", new ValueType.Decimal(SceneLimits.SMOOTH), Mesh::smoothDegrees, Mesh::withSmooth)
+                        .from(2));
+    }
+
+    static List<Field<Mesh, ?>> ofShape() {
+        return List.of(
+                Field.<Mesh, Shape.Kind>required(
+                                SHAPE,
+                                new ValueType.Choice<>(Shape.Kind.class),
+                                mesh -> shape(mesh).kind(),
+                                (mesh, kind) -> mesh.withGeometry(ShapeSize.shape(kind, ShapeSize.of(shape(mesh)))))
+                        .from(3),
+                Field.<Mesh, List<Double>>sparse(
+                                SIZE,
+                                ShapeSize.TYPE,
+                                mesh -> ShapeSize.of(shape(mesh)),
+                                (mesh, size) -> mesh.withGeometry(
+                                        ShapeSize.shape(shape(mesh).kind(), size)))
+                        .from(3));
+    }
+
+    private static Path file(Mesh mesh) {
+        return mesh.file().orElseThrow();
+    }
+
+    private static Mesh withFile(Mesh mesh, Path path) {
+        return mesh.withGeometry(new Geometry.OfFile(path));
+    }
+
+    private static Shape shape(Mesh mesh) {
+        if (mesh.geometry() instanceof Shape shape) {
+            return shape;
+        }
+        throw new IllegalArgumentException("not a shape: " + mesh.geometry());
+    }
+}

@@ -1,0 +1,38 @@
+package dev.twister.scene.format;
+
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Shape;
+import dev.twister.scene.Vector3;
+import java.util.List;
+
+/** The size of a shape: its width, or a number for each axis. Items are one or three numbers. */
+record ShapeSize(Decimal width, Array<Double> axes) implements ValueType<List<Double>> {
+    static final ShapeSize TYPE = new ShapeSize(
+            new Decimal(SceneLimits.LENGTH),
+            new Array<>(new Decimal(SceneLimits.SHAPE_SIDE), 3, 3, "a number or an array of 3 numbers [x, y, z]"));
+
+    @Override
+    public List<Double> read(Place place) {
+        return place.value() instanceof LocatedValue.NumberValue ? List.of(width.read(place)) : axes.read(place);
+    }
+
+    @Override
+    public String write(List<Double> value) {
+        return value.size() == 1 ? width.write(value.getFirst()) : axes.write(value);
+    }
+
+    /** The numbers for a shape. */
+    static List<Double> of(Shape shape) {
+        Vector3 size = shape.size();
+        return size.equals(shape.kind().unit().times(size.x()))
+                ? List.of(size.x())
+                : List.of(size.x(), size.y(), size.z());
+    }
+
+    /** The shape of that kind whose size the numbers are. */
+    static Shape shape(Shape.Kind kind, List<Double> size) {
+        return size.size() == 1
+                ? Shape.of(kind, size.getFirst())
+                : new Shape(kind, new Vector3(size.get(0), size.get(1), size.get(2)));
+    }
+}
