@@ -22,9 +22,8 @@ class ClassCyclesTest {
     private static final int LARGEST = 3;
 
     @Test
-    void cyclesInTheWindowAreSmall() {
-        assertThat(cycles("dev.twister.gui"))
-                .allSatisfy(cycle -> assertThat(cycle).hasSizeLessThanOrEqualTo(LARGEST));
+    void cyclesAreSmall() {
+        assertThat(cycles("dev.twister")).allSatisfy(cycle -> assertThat(cycle).hasSizeLessThanOrEqualTo(LARGEST));
     }
 
     private static Set<Set<String>> cycles(String root) {
@@ -37,7 +36,7 @@ class ClassCyclesTest {
                 uses.keySet().stream().collect(Collectors.toMap(name -> name, name -> reachable(name, uses)));
         return reached.keySet().stream()
                 .map(name -> reached.get(name).stream()
-                        .filter(other -> reachable(other, uses).contains(name))
+                        .filter(other -> reached.getOrDefault(other, Set.of()).contains(name))
                         .collect(Collectors.toCollection(TreeSet::new)))
                 .filter(Predicate.not(Collection::isEmpty))
                 .collect(Collectors.toSet());

@@ -3,7 +3,6 @@ package dev.twister.bench;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.Engines;
-import dev.twister.engine.JvmEngines;
 import dev.twister.engine.UnknownEngineException;
 import dev.twister.engine.auto.FastestEngine;
 import dev.twister.image.Frame;
@@ -18,9 +17,6 @@ import java.util.function.Function;
 
 /** Measures engines one after the other and compares their pictures with the reference's. */
 public final class Benchmark {
-    /** The engine whose pictures are the reference. */
-    public static final String REFERENCE = JvmEngines.SEQUENTIAL;
-
     private final Function<String, Engine> opener;
     private final BenchmarkPlan plan;
     private final String scene;
@@ -90,7 +86,7 @@ public final class Benchmark {
     }
 
     private void drawReferences() {
-        try (Engine engine = opener.apply(REFERENCE)) {
+        try (Engine engine = opener.apply(BenchmarkPlan.REFERENCE)) {
             for (Setting setting : plan.settings()) {
                 progress.begins("reference", setting.size(), 1);
                 references.put(setting, draw(engine, inputAt(setting)));
@@ -140,7 +136,7 @@ public final class Benchmark {
     private int[] reference(Setting setting, FrameInput input) {
         Frame drawn = references.get(setting);
         if (drawn == null) {
-            try (Engine engine = opener.apply(REFERENCE)) {
+            try (Engine engine = opener.apply(BenchmarkPlan.REFERENCE)) {
                 drawn = draw(engine, input);
             }
         }

@@ -1,5 +1,6 @@
 package dev.twister.bench;
 
+import dev.twister.engine.JvmEngines;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.EnumMap;
@@ -26,6 +27,9 @@ public record BenchmarkPlan(
         int warmupFrames,
         int frames,
         double maxSeconds) {
+    /** The engine whose pictures are the reference. */
+    public static final String REFERENCE = JvmEngines.SEQUENTIAL;
+
     public BenchmarkPlan {
         engines = List.copyOf(engines);
         figures = Collections.unmodifiableMap(new EnumMap<>(figures));

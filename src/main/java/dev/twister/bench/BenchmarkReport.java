@@ -95,7 +95,7 @@ public record BenchmarkReport(
                         + " most",
                 measurement.engine(),
                 measurement.setting(),
-                Benchmark.REFERENCE,
+                BenchmarkPlan.REFERENCE,
                 comparison.differingPixels(),
                 comparison.pixels(),
                 PictureComparison.CHANNEL_TOLERANCE,

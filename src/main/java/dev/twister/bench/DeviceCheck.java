@@ -34,7 +34,7 @@ public final class DeviceCheck {
     public DeviceCheck(DeviceCheckPlan plan, List<CheckedScene> scenes, CheckedScene timed) {
         this.plan = plan;
         this.timed = timed;
-        try (Engine engine = Engines.open(Benchmark.REFERENCE)) {
+        try (Engine engine = Engines.open(BenchmarkPlan.REFERENCE)) {
             for (CheckedScene scene : scenes) {
                 FrameInput input = input(scene, plan.pictureSize());
                 references.add(new Reference(scene.name(), input, draw(engine, input)));

@@ -53,7 +53,7 @@ public final class DeviceCheckTable {
     public String heading(List<CheckedScene> scenes, CheckedScene timed) {
         List<String> lines = new ArrayList<>();
         ReportTable.machine(MachineInfo.ofThisMachine()).forEach(line -> lines.add("- " + cell(line)));
-        lines.add("- pictures at " + plan.pictureSize() + " beside " + Benchmark.REFERENCE + "'s: "
+        lines.add("- pictures at " + plan.pictureSize() + " beside " + BenchmarkPlan.REFERENCE + "'s: "
                 + scenes.stream().map(CheckedScene::name).collect(Collectors.joining(", ")));
         lines.add("- times of the kernel, and of copies at " + shading(plan.quick()) + ": " + timed.name() + " at "
                 + plan.timedSize() + " with shadow samples/bounces, mean of up to " + plan.frames() + " frames");

@@ -120,7 +120,8 @@ public record JitReport(Map<String, JsonNode> reports) {
         Stream<String> wrong = results(report)
                 .filter(result -> !result.path("samePicture").asBoolean())
                 .map(Key::of)
-                .map(key -> key.engine() + " at " + key.size() + " differs from the picture of " + Benchmark.REFERENCE);
+                .map(key ->
+                        key.engine() + " at " + key.size() + " differs from the picture of " + BenchmarkPlan.REFERENCE);
         Stream<String> failed = report.path("failures")
                 .valueStream()
                 .map(failure -> failure.path("engine").asString() + ": "

@@ -56,9 +56,9 @@ final class PaperTables {
                         fact(
                                 "pictures",
                                 report.passed()
-                                        ? "every engine drew " + Benchmark.REFERENCE
+                                        ? "every engine drew " + BenchmarkPlan.REFERENCE
                                                 + "'s, within the tolerance, at every setting"
-                                        : "not all are " + Benchmark.REFERENCE + "'s; see below")));
+                                        : "not all are " + BenchmarkPlan.REFERENCE + "'s; see below")));
     }
 
     static String sizes(BenchmarkReport report) {

@@ -7,6 +7,7 @@ import dev.twister.bench.Jit;
 import dev.twister.bench.JitReport;
 import dev.twister.bench.JitRuns;
 import dev.twister.bench.MotionPlan;
+import dev.twister.bench.PaperFigures;
 import dev.twister.bench.PaperFolder;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.ReportTable;
@@ -34,6 +35,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
 
 /** {@code twister benchmark}: engines by sizes, and whether they draw the same picture. */
@@ -66,12 +68,16 @@ final class BenchmarkCommand implements Callable<Integer> {
     private static final int PATHS_PER_PIXEL = 1;
 
     private static final String PAPER_FOLDER = "twister-paper";
+    private static final String MAIN_CLASS = BenchmarkCommand.class.getPackageName() + ".Main";
     private static final int MAX_FRAMES = 100_000;
     private static final double MIN_SECONDS = 0.001;
     private static final double MAX_SECONDS = 86_400;
 
     @Spec
     private CommandSpec spec;
+
+    @ParentCommand
+    private TwisterCommand twister;
 
     @Parameters(
             paramLabel = "SCENE",
@@ -192,13 +198,13 @@ final class BenchmarkCommand implements Callable<Integer> {
         engineIds();
         files.checkKeeps(List.of(SceneFiles.find(sceneName)));
         List<String> arguments = spec.commandLine().getParseResult().originalArgs();
-        JitReport report = new JitRuns(Main.class.getName(), arguments)
-                .run(jits.stream().distinct().toList());
+        JitReport report =
+                new JitRuns(MAIN_CLASS, arguments).run(jits.stream().distinct().toList());
         spec.commandLine().getOut().println(report.table());
         if (json.isPresent()) {
             report.write(json.get());
         }
-        return report.passed() ? Main.OK : Main.FAILED;
+        return report.passed() ? ExitCode.OK : ExitCode.FAILED;
     }
 
     private int evaluate() throws IOException {
@@ -227,12 +233,15 @@ final class BenchmarkCommand implements Callable<Integer> {
         files.write(report);
         PrintWriter out = spec.commandLine().getOut();
         out.println(PaperFolder.write(
-                        report, folder, scene.rendering().srgb(), FiguresCommand.render(JvmEngines.PARALLEL))
+                        report,
+                        folder,
+                        scene.rendering().srgb(),
+                        PaperFigures.render(twister.runner()::require, Home.folder(), JvmEngines.PARALLEL))
                 + ": "
                 + report.engines().size() + " engines at " + plan.settings().size()
                 + " settings; beside it JSON, CSV, plots and pictures");
         report.problems().forEach(problem -> out.println("FAILED: " + problem));
-        return report.passed() ? Main.OK : Main.FAILED;
+        return report.passed() ? ExitCode.OK : ExitCode.FAILED;
     }
 
     private int compare() throws IOException {
@@ -254,7 +263,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         BenchmarkReport report = run(plan, scene, files);
         spec.commandLine().getOut().println(ReportTable.of(report));
         files.write(report);
-        return report.passed() ? Main.OK : Main.FAILED;
+        return report.passed() ? ExitCode.OK : ExitCode.FAILED;
     }
 
     private Setting setting(PictureSize size, Rendering settings) {

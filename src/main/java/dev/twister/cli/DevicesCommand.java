@@ -72,10 +72,10 @@ final class DevicesCommand implements Callable<Integer> {
         if (check) {
             DeviceChecking checking = new DeviceChecking(
                     DeviceCheckPlan.USUAL, out, spec.commandLine().getErr());
-            return checking.run(EngineNames.chosen(engines), json) ? Main.OK : Main.FAILED;
+            return checking.run(EngineNames.chosen(engines), json) ? ExitCode.OK : ExitCode.FAILED;
         }
         list(out);
-        return Main.OK;
+        return ExitCode.OK;
     }
 
     private void list(PrintWriter out) {

@@ -101,7 +101,7 @@ final class ExplainCommand implements Callable<Integer> {
             out.print(PathText.of(path));
             out.flush();
         }
-        return Main.OK;
+        return ExitCode.OK;
     }
 
     private Rendering settings(Rendering usual) {

@@ -29,7 +29,7 @@ final class Failures {
         err.println("twister: " + PrintableText.line(message(failure)));
         UnmatchedArgumentException.printSuggestions(failure, err);
         err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
-        return Main.BAD_INPUT;
+        return ExitCode.BAD_INPUT;
     }
 
     private static String message(ParameterException failure) {
@@ -68,18 +68,18 @@ final class Failures {
             case EngineException _ -> {
                 // Drivers speak in several lines.
                 err.println("twister: " + failure.getMessage());
-                yield Main.FAILED;
+                yield ExitCode.FAILED;
             }
             default -> {
                 err.println("twister: this is a bug of Twister's:");
                 failure.printStackTrace(err);
-                yield Main.FAILED;
+                yield ExitCode.FAILED;
             }
         };
     }
 
     private static int say(PrintWriter err, Exception failure) {
         err.println("twister: " + PrintableText.line(failure.getMessage()));
-        return Main.BAD_INPUT;
+        return ExitCode.BAD_INPUT;
     }
 }

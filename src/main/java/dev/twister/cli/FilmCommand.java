@@ -99,7 +99,7 @@ final class FilmCommand implements Callable<Integer> {
                         format.width(),
                         format.height(),
                         film.kind());
-        return Main.OK;
+        return ExitCode.OK;
     }
 
     private List<Path> pictures() throws IOException {

@@ -49,6 +49,6 @@ final class GuiCommand implements Callable<Integer> {
                 sceneName.isPresent() && panorama.isEmpty(),
                 engineId,
                 new ShippedFolders(Home.scenes(), Home.skyboxes()));
-        return Main.OK;
+        return ExitCode.OK;
     }
 }

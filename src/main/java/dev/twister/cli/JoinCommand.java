@@ -85,7 +85,7 @@ final class JoinCommand implements Callable<Integer> {
                         parts.size(),
                         parts.size() == 1 ? "part" : "parts",
                         picture.provenance().orElseThrow().samples());
-        return Main.OK;
+        return ExitCode.OK;
     }
 
     private ExrPicture joined() throws IOException {

@@ -14,15 +14,6 @@ import picocli.CommandLine.RunLast;
 
 /** Where Twister starts. */
 public final class Main {
-    /** What the process ends with: all is well. */
-    public static final int OK = 0;
-
-    /** An engine failed, or a picture is not what it must be. */
-    public static final int FAILED = 1;
-
-    /** Options, a file or a scene that cannot be used. */
-    public static final int BAD_INPUT = 2;
-
     private static final int HELP_WIDTH = 100;
 
     private Main() {}
@@ -34,9 +25,9 @@ public final class Main {
         PrintWriter err = new PrintWriter(System.err, true, errCharset);
         int exitCode = run(out, err, arguments);
         // A writer keeps to itself that a disk is full or a pipe closed.
-        if (out.checkError() && exitCode == OK) {
+        if (out.checkError() && exitCode == ExitCode.OK) {
             err.println("twister: not all of the output could be written: its disk is full, or its reader is gone");
-            exitCode = BAD_INPUT;
+            exitCode = ExitCode.BAD_INPUT;
         }
         err.flush();
         System.exit(exitCode);
@@ -44,7 +35,7 @@ public final class Main {
 
     /** Runs one command line and returns the exit code; never throws, and never ends the process. */
     public static int run(PrintWriter out, PrintWriter err, String... arguments) {
-        CommandLine commandLine = new CommandLine(new TwisterCommand())
+        CommandLine commandLine = new CommandLine(new TwisterCommand(Main::run))
                 .setOut(out)
                 .setErr(printable(err))
                 .setExpandAtFiles(false)
@@ -61,7 +52,7 @@ public final class Main {
             return commandLine.execute(arguments);
         } catch (OutOfMemoryError _) {
             err.println("twister: " + EngineFailure.outOfMemory());
-            return BAD_INPUT;
+            return ExitCode.BAD_INPUT;
         }
     }
 

@@ -140,7 +140,7 @@ final class RenderCommand implements Callable<Integer> {
                 recorded.get().close();
             }
         }
-        return Main.OK;
+        return ExitCode.OK;
     }
 
     private RenderOrder order(Scene scene, Optional<MotionFile> recorded) throws IOException {

@@ -80,7 +80,7 @@ final class SceneCommand implements Callable<Integer> {
         } else {
             generate(task.generation);
         }
-        return Main.OK;
+        return ExitCode.OK;
     }
 
     private void say(String done) {

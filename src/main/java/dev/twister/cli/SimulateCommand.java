@@ -98,7 +98,7 @@ final class SimulateCommand implements Callable<Integer> {
         if (export.isPresent()) {
             exportPoints(scene);
         }
-        return Main.OK;
+        return ExitCode.OK;
     }
 
     /** Returns how many frames were there. */

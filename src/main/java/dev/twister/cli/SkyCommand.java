@@ -104,7 +104,7 @@ final class SkyCommand implements Callable<Integer> {
         spec.commandLine()
                 .getOut()
                 .println(PrintableText.line(output.toString()) + ": " + sky.width() + " x " + sky.height());
-        return Main.OK;
+        return ExitCode.OK;
     }
 
     private Daylight daylight() {

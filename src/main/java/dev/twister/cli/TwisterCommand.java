@@ -28,6 +28,17 @@ import picocli.CommandLine.ScopeType;
             AutoComplete.GenerateCompletion.class
         })
 final class TwisterCommand implements Callable<Integer> {
+    private final CommandRunner runner;
+
+    /** @param runner runs the command lines of which commands consist */
+    TwisterCommand(CommandRunner runner) {
+        this.runner = runner;
+    }
+
+    CommandRunner runner() {
+        return runner;
+    }
+
     @Override
     public Integer call() {
         return new GuiCommand().call();

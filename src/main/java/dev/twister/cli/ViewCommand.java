@@ -60,6 +60,6 @@ final class ViewCommand implements Callable<Integer> {
                     engineId,
                     new ShippedFolders(Home.scenes(), Home.skyboxes()));
         }
-        return Main.OK;
+        return ExitCode.OK;
     }
 }

@@ -80,7 +80,7 @@ public final class Hit {
         int hit = first;
         int lights = (int) frame[Layout.LIGHTS];
         for (int index = 1; index < lights; index++) {
-            int light = SeveralLights.body(index, frame);
+            int light = LightBody.at(index, frame);
             int place = Layout.PLACE_STRIDE * light;
             float distance = Intersection.sphere(
                     bodies[place] - path[Layout.ORIGIN],
@@ -149,8 +149,10 @@ public final class Hit {
         float inverseX = NodeBox.inverse(path[Layout.DIRECTION]);
         float inverseY = NodeBox.inverse(path[Layout.DIRECTION + 1]);
         float inverseZ = NodeBox.inverse(path[Layout.DIRECTION + 2]);
-        int hit = first;
         int node = (int) frame[Layout.ROOT];
+        float growth = NodeBox.growth(bodies, node, originX, originY, originZ);
+        float closest = path[Layout.DISTANCE];
+        int hit = first;
         int waiting = 0;
         while (node != Layout.NO_NODE) {
             int link = (int) bodies[node + Layout.NODE_LINK];
@@ -158,26 +160,36 @@ public final class Hit {
             int next = Layout.NO_NODE;
             Aspect.count(path, Aspect.TESTS, spheres < 0 ? 2 : spheres, variant);
             if (spheres < 0) {
-                float left = NodeBox.entry(bodies, link, originX, originY, originZ, inverseX, inverseY, inverseZ);
+                float left =
+                        NodeBox.entry(bodies, link, originX, originY, originZ, inverseX, inverseY, inverseZ, growth);
                 float right = NodeBox.entry(
-                        bodies, link + Layout.NODE_STRIDE, originX, originY, originZ, inverseX, inverseY, inverseZ);
+                        bodies,
+                        link + Layout.NODE_STRIDE,
+                        originX,
+                        originY,
+                        originZ,
+                        inverseX,
+                        inverseY,
+                        inverseZ,
+                        growth);
                 int swapped = right < left ? Layout.NODE_STRIDE : 0;
                 float near = right < left ? right : left;
                 float far = right < left ? left : right;
-                if (far <= path[Layout.DISTANCE]) {
+                if (far <= closest) {
                     scratch[Layout.SCRATCH_STACK + 2 * waiting] = link + Layout.NODE_STRIDE - swapped;
                     scratch[Layout.SCRATCH_STACK + 2 * waiting + 1] = far;
                     waiting = waiting + 1;
                 }
-                next = near <= path[Layout.DISTANCE] ? link + swapped : Layout.NO_NODE;
+                next = near <= closest ? link + swapped : Layout.NO_NODE;
             }
-            hit = inLeaf(path, hit, link, spheres, bodies, looks, variant);
+            if (spheres > 0) {
+                hit = inLeaf(path, hit, link, spheres, bodies, looks, variant);
+                closest = path[Layout.DISTANCE];
+            }
             while (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
                 float entry = scratch[Layout.SCRATCH_STACK + 2 * waiting + 1];
-                next = entry <= path[Layout.DISTANCE]
-                        ? (int) scratch[Layout.SCRATCH_STACK + 2 * waiting]
-                        : Layout.NO_NODE;
+                next = entry <= closest ? (int) scratch[Layout.SCRATCH_STACK + 2 * waiting] : Layout.NO_NODE;
             }
             node = next;
         }

@@ -23,7 +23,8 @@ final class MeshHit {
         float inverseZ = NodeBox.inverse(path[Layout.DIRECTION + 2]);
         int nodes = (int) frame[Layout.INSTANCES] + 1;
         int hit = closest;
-        float rootEntry = NodeBox.entry(bodies, nodes, originX, originY, originZ, inverseX, inverseY, inverseZ);
+        float growth = NodeBox.growth(bodies, nodes, originX, originY, originZ);
+        float rootEntry = NodeBox.entry(bodies, nodes, originX, originY, originZ, inverseX, inverseY, inverseZ, growth);
         int node = rootEntry <= path[Layout.DISTANCE] ? nodes : Layout.NO_NODE;
         int waiting = 0;
         Aspect.count(path, Aspect.TESTS, 1, variant);
@@ -34,9 +35,18 @@ final class MeshHit {
             if (count < 0) {
                 Aspect.count(path, Aspect.TESTS, 2, variant);
                 int child = nodes + Layout.NODE_STRIDE * link;
-                float left = NodeBox.entry(bodies, child, originX, originY, originZ, inverseX, inverseY, inverseZ);
+                float left =
+                        NodeBox.entry(bodies, child, originX, originY, originZ, inverseX, inverseY, inverseZ, growth);
                 float right = NodeBox.entry(
-                        bodies, child + Layout.NODE_STRIDE, originX, originY, originZ, inverseX, inverseY, inverseZ);
+                        bodies,
+                        child + Layout.NODE_STRIDE,
+                        originX,
+                        originY,
+                        originZ,
+                        inverseX,
+                        inverseY,
+                        inverseZ,
+                        growth);
                 int swapped = right < left ? 1 : 0;
                 float near = right < left ? right : left;
                 float far = right < left ? left : right;
@@ -94,7 +104,8 @@ final class MeshHit {
         int ignored = body == (int) path[Layout.LEAVING] ? (int) path[Layout.LEAVING_TRIANGLE] : Layout.NOTHING;
         int hit = closest;
         float distance = path[Layout.DISTANCE];
-        float rootEntry = NodeBox.entry(meshes, nodes, x, y, z, inverseX, inverseY, inverseZ);
+        float growth = NodeBox.growth(meshes, nodes, x, y, z);
+        float rootEntry = NodeBox.entry(meshes, nodes, x, y, z, inverseX, inverseY, inverseZ, growth);
         int node = rootEntry <= distance ? nodes : Layout.NO_NODE;
         int waiting = 0;
         Aspect.count(path, Aspect.TESTS, 1, variant);
@@ -105,8 +116,9 @@ final class MeshHit {
             Aspect.count(path, Aspect.TESTS, count < 0 ? 2 : count, variant);
             if (count < 0) {
                 int child = nodes + Layout.NODE_STRIDE * link;
-                float left = NodeBox.entry(meshes, child, x, y, z, inverseX, inverseY, inverseZ);
-                float right = NodeBox.entry(meshes, child + Layout.NODE_STRIDE, x, y, z, inverseX, inverseY, inverseZ);
+                float left = NodeBox.entry(meshes, child, x, y, z, inverseX, inverseY, inverseZ, growth);
+                float right = NodeBox.entry(
+                        meshes, child + Layout.NODE_STRIDE, x, y, z, inverseX, inverseY, inverseZ, growth);
                 int swapped = right < left ? 1 : 0;
                 float near = right < left ? right : left;
                 float far = right < left ? left : right;

@@ -11,13 +11,25 @@ final class MeshShadow {
      * @param path {@link Layout#PATH_LENGTH} floats, with the disc's axes
      */
     static int mayBlock(float[] path, float[] scratch, float[] frame, float[] bodies, int variant) {
-        float inverseX = NodeBox.inverse(path[Layout.TO_LIGHT]);
-        float inverseY = NodeBox.inverse(path[Layout.TO_LIGHT + 1]);
-        float inverseZ = NodeBox.inverse(path[Layout.TO_LIGHT + 2]);
+        float axisX = path[Layout.TO_LIGHT];
+        float axisY = path[Layout.TO_LIGHT + 1];
+        float axisZ = path[Layout.TO_LIGHT + 2];
+        float tangent = path[Layout.DISC_TANGENT];
+        float spreadX = NodeBox.spread(axisY, axisZ, tangent);
+        float spreadY = NodeBox.spread(axisZ, axisX, tangent);
+        float spreadZ = NodeBox.spread(axisX, axisY, tangent);
+        float leastX = NodeBox.inverse(axisX - spreadX);
+        float leastY = NodeBox.inverse(axisY - spreadY);
+        float leastZ = NodeBox.inverse(axisZ - spreadZ);
+        float mostX = NodeBox.inverse(axisX + spreadX);
+        float mostY = NodeBox.inverse(axisY + spreadY);
+        float mostZ = NodeBox.inverse(axisZ + spreadZ);
+        float end = path[Layout.LIGHT_DISTANCE] * Shadow.RELATIVE_MARGIN;
         int nodes = (int) frame[Layout.INSTANCES] + 1;
         Aspect.count(path, Aspect.TESTS, 1, variant);
-        float rootEntry = NodeBox.coneEntry(path, bodies, nodes, inverseX, inverseY, inverseZ);
-        int node = rootEntry < NodeBox.PASSED ? nodes : Layout.NO_NODE;
+        float growth = NodeBox.coneGrowth(path, bodies, nodes);
+        float rootEntry = NodeBox.coneEntry(path, bodies, nodes, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
+        int node = rootEntry < end ? nodes : Layout.NO_NODE;
         int waiting = 0;
         int met = 0;
         while (node != Layout.NO_NODE) {
@@ -26,15 +38,17 @@ final class MeshShadow {
                 Aspect.count(path, Aspect.TESTS, 2, variant);
                 int child = nodes + Layout.NODE_STRIDE * (int) bodies[node + Layout.NODE_LINK];
                 int other = child + Layout.NODE_STRIDE;
-                float first = NodeBox.coneEntry(path, bodies, child, inverseX, inverseY, inverseZ);
-                float second = NodeBox.coneEntry(path, bodies, other, inverseX, inverseY, inverseZ);
-                int both = (first < NodeBox.PASSED ? 1 : 0) & (second < NodeBox.PASSED ? 1 : 0);
+                float first =
+                        NodeBox.coneEntry(path, bodies, child, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
+                float second =
+                        NodeBox.coneEntry(path, bodies, other, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
+                int both = (first < end ? 1 : 0) & (second < end ? 1 : 0);
                 if (both != 0) {
                     scratch[Layout.SCRATCH_STACK + waiting] = (int) bodies[node + Layout.NODE_LINK] + 1;
                     waiting = waiting + 1;
                 }
-                int only = second < NodeBox.PASSED ? other : Layout.NO_NODE;
-                next = first < NodeBox.PASSED ? child : only;
+                int only = second < end ? other : Layout.NO_NODE;
+                next = first < end ? child : only;
             } else {
                 met = 1;
             }
@@ -77,6 +91,7 @@ final class MeshShadow {
         float inverseY = NodeBox.inverse(directionY);
         float inverseZ = NodeBox.inverse(directionZ);
         int nodes = (int) frame[Layout.INSTANCES] + 1;
+        float growth = NodeBox.growth(bodies, nodes, pointX, pointY, pointZ);
         float light = 1f;
         int node = nodes;
         int waiting = 0;
@@ -87,9 +102,18 @@ final class MeshShadow {
             if (count < 0) {
                 Aspect.count(path, Aspect.TESTS, 2, variant);
                 int child = nodes + Layout.NODE_STRIDE * link;
-                float first = NodeBox.entry(bodies, child, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
+                float first =
+                        NodeBox.entry(bodies, child, pointX, pointY, pointZ, inverseX, inverseY, inverseZ, growth);
                 float second = NodeBox.entry(
-                        bodies, child + Layout.NODE_STRIDE, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
+                        bodies,
+                        child + Layout.NODE_STRIDE,
+                        pointX,
+                        pointY,
+                        pointZ,
+                        inverseX,
+                        inverseY,
+                        inverseZ,
+                        growth);
                 int both = (first <= 1f ? 1 : 0) & (second <= 1f ? 1 : 0);
                 if (both != 0) {
                     scratch[Layout.SCRATCH_STACK + waiting] = link + 1;
@@ -156,7 +180,9 @@ final class MeshShadow {
         int nodes = Instance.nodes(bodies, instance);
         int triangles = Instance.triangles(bodies, instance);
         Aspect.count(path, Aspect.TESTS, 1, variant);
-        int node = NodeBox.entry(meshes, nodes, x, y, z, inverseX, inverseY, inverseZ) <= 1f ? nodes : Layout.NO_NODE;
+        float growth = NodeBox.growth(meshes, nodes, x, y, z);
+        float rootEntry = NodeBox.entry(meshes, nodes, x, y, z, inverseX, inverseY, inverseZ, growth);
+        int node = rootEntry <= 1f ? nodes : Layout.NO_NODE;
         int waiting = 0;
         int met = 0;
         while (node != Layout.NO_NODE) {
@@ -166,8 +192,9 @@ final class MeshShadow {
             Aspect.count(path, Aspect.TESTS, count < 0 ? 2 : count, variant);
             if (count < 0) {
                 int child = nodes + Layout.NODE_STRIDE * link;
-                float left = NodeBox.entry(meshes, child, x, y, z, inverseX, inverseY, inverseZ);
-                float right = NodeBox.entry(meshes, child + Layout.NODE_STRIDE, x, y, z, inverseX, inverseY, inverseZ);
+                float left = NodeBox.entry(meshes, child, x, y, z, inverseX, inverseY, inverseZ, growth);
+                float right = NodeBox.entry(
+                        meshes, child + Layout.NODE_STRIDE, x, y, z, inverseX, inverseY, inverseZ, growth);
                 int both = (left <= 1f ? 1 : 0) & (right <= 1f ? 1 : 0);
                 if (both != 0) {
                     scratch[Layout.SCRATCH_SHADOW_NODES + waiting] = link + 1;

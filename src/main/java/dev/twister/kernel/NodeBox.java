@@ -15,8 +15,11 @@ public final class NodeBox {
      */
     public static final float GROWTH = 2.0e-6f;
 
-    /** Margin of a shadow's culling relative to the box's half sides: that of {@link Shadow}. */
-    private static final float SIZE_MARGIN = Shadow.RELATIVE_MARGIN - 1f + 1.0e-4f;
+    /** Growth of boxes that cones are tested against, relative to that for rays. */
+    private static final float CONE_GROWTH = Shadow.ABSOLUTE_MARGIN / GROWTH;
+
+    /** Rounding of a unit vector's components. */
+    private static final float LEAST_SPREAD = 1.0e-6f;
 
     /** Components of a direction with a smaller absolute value are irrelevant even over a million meters. */
     public static final float TINY = 1.0e-18f;
@@ -30,10 +33,23 @@ public final class NodeBox {
     }
 
     /**
+     * Growth of all boxes for rays from an origin: that of the root's farthest corner.
+     *
+     * @param root place of the root in the hierarchy
+     */
+    public static float growth(float[] hierarchy, int root, float originX, float originY, float originZ) {
+        float x = Math.abs(hierarchy[root + Layout.NODE_CENTER] - originX) + hierarchy[root + Layout.NODE_HALF];
+        float y = Math.abs(hierarchy[root + Layout.NODE_CENTER + 1] - originY) + hierarchy[root + Layout.NODE_HALF + 1];
+        float z = Math.abs(hierarchy[root + Layout.NODE_CENTER + 2] - originZ) + hierarchy[root + Layout.NODE_HALF + 2];
+        return GROWTH * (x + y + z);
+    }
+
+    /**
      * Distance to the box in lengths of the direction, negative from inside; {@link #PASSED} if the ray misses it.
      *
      * @param node place of the node in the hierarchy
      * @param inverseX {@link #inverse} of the direction's x; inverseY and inverseZ likewise
+     * @param growth {@link #growth} of the hierarchy's boxes
      */
     public static float entry(
             float[] hierarchy,
@@ -43,69 +59,98 @@ public final class NodeBox {
             float originZ,
             float inverseX,
             float inverseY,
-            float inverseZ) {
-        float x = hierarchy[node + Layout.NODE_CENTER] - originX;
-        float y = hierarchy[node + Layout.NODE_CENTER + 1] - originY;
-        float z = hierarchy[node + Layout.NODE_CENTER + 2] - originZ;
-        float growth = GROWTH * (Math.abs(x) + Math.abs(y) + Math.abs(z));
-        float middleX = x * inverseX;
-        float middleY = y * inverseY;
-        float middleZ = z * inverseZ;
+            float inverseZ,
+            float growth) {
+        float middleX = (hierarchy[node + Layout.NODE_CENTER] - originX) * inverseX;
+        float middleY = (hierarchy[node + Layout.NODE_CENTER + 1] - originY) * inverseY;
+        float middleZ = (hierarchy[node + Layout.NODE_CENTER + 2] - originZ) * inverseZ;
         float halfX = (hierarchy[node + Layout.NODE_HALF] + growth) * Math.abs(inverseX);
         float halfY = (hierarchy[node + Layout.NODE_HALF + 1] + growth) * Math.abs(inverseY);
         float halfZ = (hierarchy[node + Layout.NODE_HALF + 2] + growth) * Math.abs(inverseZ);
-        float in = larger(larger(middleX - halfX, middleY - halfY), middleZ - halfZ);
-        float out = smaller(smaller(middleX + halfX, middleY + halfY), middleZ + halfZ);
-        int met = (in <= out ? 1 : 0) & (out >= 0f ? 1 : 0);
-        return met != 0 ? in : PASSED;
+        float in = Math.max(Math.max(middleX - halfX, middleY - halfY), middleZ - halfZ);
+        float out = Math.min(Math.min(middleX + halfX, middleY + halfY), middleZ + halfZ);
+        return Math.max(in, 0f) <= out ? in : PASSED;
     }
 
     /**
-     * Distance in meters along the axis from a point to the near side of the box, if a sphere in it may lie between the
-     * point and a disc; else {@link #PASSED}. The axis from the point to the disc's center must meet the box, which is
-     * grown by the cone's radius at the box's far side.
+     * Half width, along one axis, of the directions from a point to a disc, per length along the axis to its center.
      *
-     * @param path with {@link Layout#POINT}, {@link Layout#TO_LIGHT}, and the disc's distance, tangent and secant
-     * @param inverseX {@link #inverse} of the axis's x; inverseY and inverseZ likewise
+     * @param a with b: the other two components of the unit vector to the disc's center
+     * @param tangent of the disc's half angle
      */
-    static float coneEntry(float[] path, float[] hierarchy, int node, float inverseX, float inverseY, float inverseZ) {
-        float axisX = path[Layout.TO_LIGHT];
-        float axisY = path[Layout.TO_LIGHT + 1];
-        float axisZ = path[Layout.TO_LIGHT + 2];
-        float distance = path[Layout.LIGHT_DISTANCE];
-        float tangent = path[Layout.DISC_TANGENT];
-        float secant = path[Layout.DISC_SECANT];
+    static float spread(float a, float b, float tangent) {
+        return tangent * Shadow.RELATIVE_MARGIN * (float) Math.sqrt(a * a + b * b) + LEAST_SPREAD;
+    }
+
+    /** As {@link #growth}, for cones that end at a distance. */
+    static float coneGrowth(float[] path, float[] hierarchy, int root) {
+        float growth = growth(hierarchy, root, path[Layout.POINT], path[Layout.POINT + 1], path[Layout.POINT + 2]);
+        return CONE_GROWTH * growth + Shadow.ABSOLUTE_MARGIN * path[Layout.LIGHT_DISTANCE];
+    }
+
+    /**
+     * Distance along the axis at which the cone from a point to a disc enters a box; {@link #PASSED} if it misses the
+     * box. The cone is replaced by the wider one of all directions whose components lie between a least and a most one.
+     *
+     * @param path with {@link Layout#POINT}
+     * @param leastX {@link #inverse} of the least x, {@code axis - spread}; leastY and leastZ likewise
+     * @param mostX {@link #inverse} of the most x, {@code axis + spread}; mostY and mostZ likewise
+     */
+    static float coneEntry(
+            float[] path,
+            float[] hierarchy,
+            int node,
+            float leastX,
+            float leastY,
+            float leastZ,
+            float mostX,
+            float mostY,
+            float mostZ,
+            float growth) {
         float x = hierarchy[node + Layout.NODE_CENTER] - path[Layout.POINT];
         float y = hierarchy[node + Layout.NODE_CENTER + 1] - path[Layout.POINT + 1];
         float z = hierarchy[node + Layout.NODE_CENTER + 2] - path[Layout.POINT + 2];
-        float sideX = hierarchy[node + Layout.NODE_HALF];
-        float sideY = hierarchy[node + Layout.NODE_HALF + 1];
-        float sideZ = hierarchy[node + Layout.NODE_HALF + 2];
-        float margin =
-                Shadow.ABSOLUTE_MARGIN * (Math.abs(x) + Math.abs(y) + Math.abs(z) + distance + sideX + sideY + sideZ)
-                        + SIZE_MARGIN * secant * (sideX + sideY + sideZ);
-        float along = x * axisX + y * axisY + z * axisZ;
-        float alongHalf = sideX * Math.abs(axisX) + sideY * Math.abs(axisY) + sideZ * Math.abs(axisZ) + margin;
-        float farSide = along + alongHalf;
-        float growth = farSide * tangent * Shadow.RELATIVE_MARGIN + margin;
-        float middleX = x * inverseX;
-        float middleY = y * inverseY;
-        float middleZ = z * inverseZ;
-        float halfX = (sideX + growth) * Math.abs(inverseX);
-        float halfY = (sideY + growth) * Math.abs(inverseY);
-        float halfZ = (sideZ + growth) * Math.abs(inverseZ);
-        float in = larger(larger(middleX - halfX, middleY - halfY), middleZ - halfZ);
-        float out = smaller(smaller(middleX + halfX, middleY + halfY), middleZ + halfZ);
-        float nearSide = along - alongHalf;
-        int met = (farSide > 0f ? 1 : 0) & (nearSide < distance * Shadow.RELATIVE_MARGIN ? 1 : 0) & (in <= out ? 1 : 0);
-        return met != 0 ? nearSide : PASSED;
-    }
-
-    private static float larger(float a, float b) {
-        return a > b ? a : b;
-    }
-
-    private static float smaller(float a, float b) {
-        return a < b ? a : b;
+        float halfX = hierarchy[node + Layout.NODE_HALF] + growth;
+        float halfY = hierarchy[node + Layout.NODE_HALF + 1] + growth;
+        float halfZ = hierarchy[node + Layout.NODE_HALF + 2] + growth;
+        float lowX = (x - halfX) * mostX;
+        float lowY = (y - halfY) * mostY;
+        float lowZ = (z - halfZ) * mostZ;
+        float highX = (x + halfX) * leastX;
+        float highY = (y + halfY) * leastY;
+        float highZ = (z + halfZ) * leastZ;
+        float in = 0f;
+        float out = PASSED;
+        if (mostX > 0f) {
+            in = Math.max(in, lowX);
+        } else {
+            out = Math.min(out, lowX);
+        }
+        if (mostY > 0f) {
+            in = Math.max(in, lowY);
+        } else {
+            out = Math.min(out, lowY);
+        }
+        if (mostZ > 0f) {
+            in = Math.max(in, lowZ);
+        } else {
+            out = Math.min(out, lowZ);
+        }
+        if (leastX > 0f) {
+            out = Math.min(out, highX);
+        } else {
+            in = Math.max(in, highX);
+        }
+        if (leastY > 0f) {
+            out = Math.min(out, highY);
+        } else {
+            in = Math.max(in, highY);
+        }
+        if (leastZ > 0f) {
+            out = Math.min(out, highZ);
+        } else {
+            in = Math.max(in, highZ);
+        }
+        return in <= out ? in : PASSED;
     }
 }

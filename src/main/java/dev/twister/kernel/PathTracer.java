@@ -83,7 +83,7 @@ public final class PathTracer {
                 meet(path, body, frame, bodies, looks, meshes, images, variant);
                 addEmission(path, body, bounce, frame, bodies, looks, variant);
             }
-            int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - SeveralLights.contain(body, frame, variant));
+            int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
             if (isSurface != 0) {
                 toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
             }

@@ -4,30 +4,6 @@ package dev.twister.kernel;
 public final class SeveralLights {
     private SeveralLights() {}
 
-    /** 1 if the body is a light, else 0. */
-    static int contain(int body, float[] frame, int variant) {
-        int contain = body == Layout.LIGHT ? 1 : 0;
-        if ((variant & Variant.LIGHTS) != 0) {
-            float second = frame[Layout.SECOND_LIGHT];
-            contain = contain | ((body >= second ? 1 : 0) & (body < second + frame[Layout.LIGHTS] - 1f ? 1 : 0));
-        }
-        return contain;
-    }
-
-    /** A light's body. */
-    public static int body(int index, float[] frame) {
-        return index == 0 ? Layout.LIGHT : (int) frame[Layout.SECOND_LIGHT] + index - 1;
-    }
-
-    /** The body of the light that shades now: the only one, or {@link Layout#SHADING_LIGHT}. */
-    static int shading(float[] path, int variant) {
-        int light = Layout.LIGHT;
-        if ((variant & Variant.LIGHTS) != 0) {
-            light = (int) path[Layout.SHADING_LIGHT];
-        }
-        return light;
-    }
-
     /**
      * Lets a light shade: writes its body, and its direction from {@link Layout#POINT} as {@link Illumination#aim}.
      *
@@ -61,7 +37,7 @@ public final class SeveralLights {
         path[Layout.HIGHLIGHT + 2] = 0f;
         int count = (int) frame[Layout.LIGHTS];
         for (int index = 0; index < count; index++) {
-            int light = body(index, frame);
+            int light = LightBody.at(index, frame);
             choose(path, light, bodies);
             float visible = 1f;
             if (shadowed != 0) {
@@ -96,7 +72,7 @@ public final class SeveralLights {
         float sum = 0f;
         int count = (int) frame[Layout.LIGHTS];
         for (int index = 0; index < count; index++) {
-            choose(path, body(index, frame), bodies);
+            choose(path, LightBody.at(index, frame), bodies);
             sum = sum + Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
         }
         return sum / count;

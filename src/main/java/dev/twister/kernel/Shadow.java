@@ -58,7 +58,7 @@ public final class Shadow {
         }
         int matters = (Variant.aspect(variant) == Aspect.SHADOW ? 1 : 0) | matters(path, frame, variant);
         if ((matters & (visible > 0f ? 1 : 0)) != 0) {
-            int light = SeveralLights.shading(path, variant);
+            int light = LightBody.shading(path, variant);
             float discRadius = 2f * bodies[Layout.PLACE_STRIDE * light + Layout.PLACE_SIZE];
             face(path, discRadius, frame);
             int plane = PlaneShadow.mayBlock(path, own, discRadius, bodies, variant);
@@ -216,11 +216,23 @@ public final class Shadow {
      */
     private static int candidates(
             float[] path, int own, float[] scratch, float[] frame, float[] bodies, float[] looks, int variant) {
-        float inverseX = NodeBox.inverse(path[Layout.TO_LIGHT]);
-        float inverseY = NodeBox.inverse(path[Layout.TO_LIGHT + 1]);
-        float inverseZ = NodeBox.inverse(path[Layout.TO_LIGHT + 2]);
-        int count = 0;
+        float axisX = path[Layout.TO_LIGHT];
+        float axisY = path[Layout.TO_LIGHT + 1];
+        float axisZ = path[Layout.TO_LIGHT + 2];
+        float tangent = path[Layout.DISC_TANGENT];
+        float spreadX = NodeBox.spread(axisY, axisZ, tangent);
+        float spreadY = NodeBox.spread(axisZ, axisX, tangent);
+        float spreadZ = NodeBox.spread(axisX, axisY, tangent);
+        float leastX = NodeBox.inverse(axisX - spreadX);
+        float leastY = NodeBox.inverse(axisY - spreadY);
+        float leastZ = NodeBox.inverse(axisZ - spreadZ);
+        float mostX = NodeBox.inverse(axisX + spreadX);
+        float mostY = NodeBox.inverse(axisY + spreadY);
+        float mostZ = NodeBox.inverse(axisZ + spreadZ);
+        float end = path[Layout.LIGHT_DISTANCE] * RELATIVE_MARGIN;
         int node = (int) frame[Layout.ROOT];
+        float growth = NodeBox.coneGrowth(path, bodies, node);
+        int count = 0;
         int waiting = 0;
         while (node != Layout.NO_NODE) {
             int link = (int) bodies[node + Layout.NODE_LINK];
@@ -228,18 +240,22 @@ public final class Shadow {
             int next = Layout.NO_NODE;
             if (spheres < 0) {
                 Aspect.count(path, Aspect.TESTS, 2, variant);
-                float first = NodeBox.coneEntry(path, bodies, link, inverseX, inverseY, inverseZ);
-                float second = NodeBox.coneEntry(path, bodies, link + Layout.NODE_STRIDE, inverseX, inverseY, inverseZ);
+                float first =
+                        NodeBox.coneEntry(path, bodies, link, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
+                float second = NodeBox.coneEntry(
+                        path, bodies, link + Layout.NODE_STRIDE, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
                 int swapped = second < first ? Layout.NODE_STRIDE : 0;
                 float near = second < first ? second : first;
                 float far = second < first ? first : second;
-                if (far < NodeBox.PASSED) {
+                if (far < end) {
                     scratch[Layout.SCRATCH_STACK + waiting] = link + Layout.NODE_STRIDE - swapped;
                     waiting = waiting + 1;
                 }
-                next = near < NodeBox.PASSED ? link + swapped : Layout.NO_NODE;
+                next = near < end ? link + swapped : Layout.NO_NODE;
             }
-            count = addLeaf(path, own, count, link, spheres, scratch, bodies, looks, variant);
+            if (spheres > 0) {
+                count = addLeaf(path, own, count, link, spheres, scratch, bodies, looks, variant);
+            }
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
                 next = (int) scratch[Layout.SCRATCH_STACK + waiting];

@@ -21,7 +21,7 @@ public final class ShadowRay {
             float[] looks,
             float[] meshes,
             int variant) {
-        float discRadius = 2f * bodies[Layout.PLACE_STRIDE * SeveralLights.shading(path, variant) + Layout.PLACE_SIZE];
+        float discRadius = 2f * bodies[Layout.PLACE_STRIDE * LightBody.shading(path, variant) + Layout.PLACE_SIZE];
         Shadow.face(path, discRadius, frame);
         float scale = path[Layout.DISC_SCALE];
         float x = frame[Layout.DISC + 2 * sample] * scale;
@@ -69,8 +69,9 @@ public final class ShadowRay {
         float inverseY = NodeBox.inverse(axisY + uY * x + wY * y);
         float inverseZ = NodeBox.inverse(axisZ + uZ * x + wZ * y);
         float end = distance * Shadow.RELATIVE_MARGIN;
-        float light = 1f;
         int node = (int) frame[Layout.ROOT];
+        float growth = NodeBox.growth(bodies, node, pointX, pointY, pointZ);
+        float light = 1f;
         int waiting = 0;
         while (node != Layout.NO_NODE) {
             int link = (int) bodies[node + Layout.NODE_LINK];
@@ -78,9 +79,17 @@ public final class ShadowRay {
             int next = Layout.NO_NODE;
             if (spheres < 0) {
                 Aspect.count(path, Aspect.TESTS, 2, variant);
-                float first = NodeBox.entry(bodies, link, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
+                float first = NodeBox.entry(bodies, link, pointX, pointY, pointZ, inverseX, inverseY, inverseZ, growth);
                 float second = NodeBox.entry(
-                        bodies, link + Layout.NODE_STRIDE, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
+                        bodies,
+                        link + Layout.NODE_STRIDE,
+                        pointX,
+                        pointY,
+                        pointZ,
+                        inverseX,
+                        inverseY,
+                        inverseZ,
+                        growth);
                 int both = (first < end ? 1 : 0) & (second < end ? 1 : 0);
                 if (both != 0) {
                     scratch[Layout.SCRATCH_STACK + waiting] = link + Layout.NODE_STRIDE;

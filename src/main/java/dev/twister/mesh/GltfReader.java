@@ -41,7 +41,7 @@ final class GltfReader {
                     bytes, root, buffers, new GltfMaterials(root, images, warnings), smoothDegrees, warnings);
             placeAll(root, meshes);
             if (parts.isEmpty()) {
-                throw MeshReader.noTriangles(bytes, meshes.degenerateTriangles());
+                throw MeshAssembly.noTriangles(bytes, meshes.degenerateTriangles());
             }
             return new MeshFile(meshes.meshes(), parts, images.embedded(), meshes.degenerateTriangles());
         }

@@ -1,6 +1,9 @@
 package dev.twister.mesh;
 
+import dev.twister.scene.Material;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
 import java.util.SequencedMap;
 import java.util.TreeMap;
 
@@ -12,7 +15,19 @@ final class MeshAssembly {
      * @param meshByMaterial meshes with at least one triangle, by the number of the material in ascending order
      * @param degenerateTriangles number of dropped triangles without area
      */
-    record Assembled(SequencedMap<Integer, TriangleMesh> meshByMaterial, int degenerateTriangles) {}
+    record Assembled(SequencedMap<Integer, TriangleMesh> meshByMaterial, int degenerateTriangles) {
+        /** A file with a single material. */
+        MeshFile file(String name, Bytes bytes, Material material) {
+            if (meshByMaterial.isEmpty()) {
+                throw noTriangles(bytes, degenerateTriangles);
+            }
+            return new MeshFile(
+                    List.copyOf(meshByMaterial.values()),
+                    List.of(new MeshPart(name, 0, Affine.IDENTITY, material)),
+                    Map.of(),
+                    degenerateTriangles);
+        }
+    }
 
     private final TriangleSoup soup;
     private final FloatList positions = new FloatList();
@@ -21,6 +36,11 @@ final class MeshAssembly {
 
     private MeshAssembly(TriangleSoup soup) {
         this.soup = soup;
+    }
+
+    static MeshException noTriangles(Bytes bytes, int degenerate) {
+        return bytes.failure(
+                degenerate == 0 ? "holds no triangles" : "holds no triangles but " + degenerate + " without an area");
     }
 
     /**

@@ -3,16 +3,13 @@ package dev.twister.mesh;
 import dev.twister.files.InputFile;
 import dev.twister.files.SystemReason;
 import dev.twister.scene.Geometry;
-import dev.twister.scene.Material;
 import dev.twister.scene.Shape;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.function.Consumer;
 
 /** Reads mesh files: OBJ, glTF 2.0 (including binary), PLY and STL; makes shapes. */
@@ -93,22 +90,5 @@ public final class MeshReader {
             return Format.OBJ;
         }
         throw bytes.failure("not a mesh by its first bytes or its name; OBJ, glTF, GLB, PLY and STL are read");
-    }
-
-    /** A file with a single material. */
-    static MeshFile single(String name, Bytes bytes, MeshAssembly.Assembled assembled, Material material) {
-        if (assembled.meshByMaterial().isEmpty()) {
-            throw noTriangles(bytes, assembled.degenerateTriangles());
-        }
-        return new MeshFile(
-                List.copyOf(assembled.meshByMaterial().values()),
-                List.of(new MeshPart(name, 0, Affine.IDENTITY, material)),
-                Map.of(),
-                assembled.degenerateTriangles());
-    }
-
-    static MeshException noTriangles(Bytes bytes, int degenerate) {
-        return bytes.failure(
-                degenerate == 0 ? "holds no triangles" : "holds no triangles but " + degenerate + " without an area");
     }
 }

@@ -55,7 +55,7 @@ final class ObjReader {
         }
         MeshAssembly.Assembled assembled = MeshAssembly.assemble(soup, Axes.Y_UP, smoothDegrees);
         if (assembled.meshByMaterial().isEmpty()) {
-            throw MeshReader.noTriangles(bytes, assembled.degenerateTriangles());
+            throw MeshAssembly.noTriangles(bytes, assembled.degenerateTriangles());
         }
         List<String> names = List.copyOf(numberByMaterial.keySet());
         List<MeshPart> parts = new ArrayList<>();

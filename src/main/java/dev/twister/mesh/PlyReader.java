@@ -47,11 +47,8 @@ final class PlyReader {
         Optional<Path> texture = header.texture().isPresent() && soup.textureCoordinates.size() > 0
                 ? TextureFiles.usable(PathsBeside.of(file, header.texture().get(), bytes::failure), warnings)
                 : Optional.empty();
-        return MeshReader.single(
-                "",
-                bytes,
-                MeshAssembly.assemble(soup, Axes.Y_UP, smoothDegrees),
-                Material.DEFAULT.withTexture(texture));
+        return MeshAssembly.assemble(soup, Axes.Y_UP, smoothDegrees)
+                .file("", bytes, Material.DEFAULT.withTexture(texture));
     }
 
     private void check(Element element, boolean binary, PlyValues values) {

@@ -46,7 +46,7 @@ final class StlReader {
         } else {
             name = readText();
         }
-        return MeshReader.single(name, bytes, MeshAssembly.assemble(soup, Axes.Z_UP, smoothDegrees), Material.DEFAULT);
+        return MeshAssembly.assemble(soup, Axes.Z_UP, smoothDegrees).file(name, bytes, Material.DEFAULT);
     }
 
     private boolean isText() throws IOException {

@@ -135,7 +135,7 @@ class BadInputTest {
         assertThat(outcome.err()).contains(expected.replace("FOLDER", folder.toString()));
         assertThat(outcome.err()).doesNotContain("\tat ", "Exception");
         assertThat(outcome.err().lines().count()).isLessThanOrEqualTo(MOST_LINES);
-        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(outcome.out()).isEmpty();
         assertThat(folder).isEmptyDirectory();
     }
@@ -156,7 +156,7 @@ class BadInputTest {
         Outcome outcome = Outcome.of(arguments);
 
         assertThat(outcome.err()).contains("name", "empty").doesNotContain("Exception");
-        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(folder).isEmptyDirectory();
     }
 
@@ -182,7 +182,7 @@ class BadInputTest {
 
         Outcome outcome = Outcome.of(arguments);
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(outcome.err()).contains("a\\u001b[31m\\u0007\\u009b2J\\u202egnp\\u000a\\u000db");
         assertThat(outcome.err().lines().count()).isLessThanOrEqualTo(MOST_LINES);
         assertThat(outcome.out()).isEmpty();
@@ -196,7 +196,7 @@ class BadInputTest {
     void whatNamesNoFileIsTold() {
         Outcome outcome = Outcome.of("render", "benchmark", "-o", "a\0.png");
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(outcome.err())
                 .startsWith("twister: ")
                 .contains("--output", "not a valid file name")
@@ -210,7 +210,7 @@ class BadInputTest {
 
         Outcome outcome = Outcome.of("scene", "--check", scene.toString());
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(outcome.err())
                 .startsWith("twister: ")
                 .contains("broken.json")
@@ -224,7 +224,7 @@ class BadInputTest {
         Outcome outcome =
                 Outcome.of("render", "benchmark", "-o", folder.resolve("a.png").toString(), "--skybox", sky.toString());
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(outcome.err()).contains("sky.hdr").hasLineCount(1);
     }
 
@@ -251,7 +251,7 @@ class BadInputTest {
         assertThat(outcome.err())
                 .contains("would replace " + folder, "give another file")
                 .hasLineCount(1);
-        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(sky).hasBinaryContent(skyBefore);
         assertThat(scene).hasBinaryContent(sceneBefore);
     }
@@ -263,7 +263,7 @@ class BadInputTest {
 
         Outcome outcome = Outcome.of("render", "none.json", "-o", link.toString());
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(outcome.err())
                 .contains("--output is " + link + ", but there is no folder " + missing)
                 .hasLineCount(1);
@@ -276,7 +276,7 @@ class BadInputTest {
 
         Outcome outcome = Outcome.of("render", "none.json", "-o", link.toString());
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(outcome.err())
                 .contains("--output is " + link + ", but its links lead to one another")
                 .hasLineCount(1);

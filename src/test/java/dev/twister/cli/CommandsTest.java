@@ -147,7 +147,7 @@ class CommandsTest {
                 .contains("would replace " + texture);
         Files.writeString(texture, "no picture");
         Outcome broken = Outcome.of("render", file.toString(), "--skybox", DAY.toString(), "-o", file + ".png");
-        assertThat(broken.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(broken.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(broken.err())
                 .isEqualToIgnoringNewLines("twister: $.materials.stone.texture: " + texture
                         + ": not a texture by its first bytes; PNG and JPEG are read");
@@ -240,7 +240,7 @@ class CommandsTest {
                 "--engine",
                 "tornado");
 
-        assertThat(outcome.exitCode()).isIn(Main.OK, Main.FAILED);
+        assertThat(outcome.exitCode()).isIn(ExitCode.OK, ExitCode.FAILED);
         assertThat(outcome.err()).doesNotContain("\tat ");
     }
 }

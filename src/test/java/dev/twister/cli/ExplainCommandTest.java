@@ -14,7 +14,7 @@ class ExplainCommandTest {
     void tableHasAStepPerRay() {
         Outcome outcome = explain("--pixel", "108,52");
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.OK);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.OK);
         assertThat(outcome.out().lines())
                 .anyMatch(line -> line.startsWith("0 ") && line.contains("view") && line.contains("body 4"))
                 .anyMatch(line -> line.startsWith("1 ") && line.contains("reflected") && line.contains("plane"))
@@ -44,7 +44,7 @@ class ExplainCommandTest {
         Outcome outcome = Outcome.of(
                 "explain", "weekend", "--size", "160x90", "--pixel", "80,52", "--samples", "4", "--sample", "3");
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.OK);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.OK);
         assertThat(outcome.err()).isEmpty();
         assertThat(outcome.out())
                 .startsWith("Pixel 80,52, sample 3 of 4, path tracing\n")
@@ -77,7 +77,7 @@ class ExplainCommandTest {
         Outcome outcome =
                 Outcome.of("explain", "glass", "--pixel", "640,400", "--samples", "8", "--sample", "3", "--json");
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.OK);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.OK);
     }
 
     @ParameterizedTest
@@ -91,7 +91,7 @@ class ExplainCommandTest {
     void pixelsAndSamplesThatAreNotThereAreRefused(String pixel, String sample, String message) {
         Outcome outcome = explain("--pixel", pixel, "--sample", sample);
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(outcome.err()).isEqualToIgnoringNewLines("twister: " + message);
     }
 
@@ -102,7 +102,7 @@ class ExplainCommandTest {
     void whatIsNoPixelIsRefused(String pixel) {
         Outcome outcome = explain("--pixel", pixel);
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(outcome.err()).contains("'" + pixel + "' is not a pixel; write column,row");
     }
 

@@ -27,7 +27,7 @@ class FiguresCommandTest {
         Path page = folder.resolve("figures.html");
         Outcome outcome = Outcome.of("figures", "-o", page.toString());
 
-        assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(Main.OK);
+        assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCode.OK);
         String html = Files.readString(page);
         assertThat(TITLE.matcher(html).results().map(found -> found.group(1)))
                 .containsExactly(
@@ -55,7 +55,7 @@ class FiguresCommandTest {
         Outcome outcome =
                 Outcome.of("figures", "-o", folder.resolve("none/figures.html").toString());
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(outcome.err().lines()).singleElement().asString().startsWith("twister: --output is ");
     }
 
@@ -78,7 +78,7 @@ class FiguresCommandTest {
         words.set(3, file.toString());
         words.addAll(List.of("--engine", "parallel"));
         Outcome outcome = Outcome.of(words.toArray(String[]::new));
-        assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(Main.OK);
+        assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCode.OK);
         return Files.readAllBytes(file);
     }
 }

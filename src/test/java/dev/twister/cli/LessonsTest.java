@@ -49,7 +49,7 @@ class LessonsTest {
                 pictures++;
             } else {
                 Outcome outcome = Outcome.of(words.toArray(String[]::new));
-                assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(Main.OK);
+                assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCode.OK);
                 String printed = plain(outcome.out());
                 command.group(2).lines().forEach(line -> assertThat(printed).contains(plain(line)));
                 answers++;
@@ -68,7 +68,7 @@ class LessonsTest {
         words.set(place, folder.resolve(name).toString());
         words.addAll(List.of("--engine", "sequential"));
         Outcome outcome = Outcome.of(words.toArray(String[]::new));
-        assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(Main.OK);
+        assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCode.OK);
         assertThat(pixels(folder.resolve(name))).isEqualTo(pixels(FOLDER.resolve(name)));
     }
 

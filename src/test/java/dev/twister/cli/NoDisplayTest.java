@@ -50,6 +50,6 @@ class NoDisplayTest {
         try (Stream<String> lines = twister.inputReader().lines()) {
             assertThat(lines.toList()).singleElement().asString().contains(why, "twister render", "twister benchmark");
         }
-        assertThat(twister.onExit().join().exitValue()).isEqualTo(Main.BAD_INPUT);
+        assertThat(twister.onExit().join().exitValue()).isEqualTo(ExitCode.BAD_INPUT);
     }
 }

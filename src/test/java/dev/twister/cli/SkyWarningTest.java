@@ -30,7 +30,7 @@ class SkyWarningTest {
                 "-o",
                 folder.resolve("a.json").toString());
 
-        assertThat(outcome.exitCode()).isEqualTo(Main.OK);
+        assertThat(outcome.exitCode()).isEqualTo(ExitCode.OK);
         assertThat(outcome.err())
                 .isEqualToNormalizingNewlines(
                         "twister: warning: " + sky + ": the gAMA chunk is damaged and is ignored\n");
