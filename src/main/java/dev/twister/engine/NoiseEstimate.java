@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
  * @param width of the picture in pixels
  * @param frame the kernel's array of that name, whose exposure, tone map and sRGB curve count
  */
+@SuppressWarnings("ArrayRecordComponent") // never compared
 public record NoiseEstimate(int width, float[] frame) {
     private static final int CHANNELS = 3;
 
@@ -23,6 +24,7 @@ public record NoiseEstimate(int width, float[] frame) {
      * @param sums of linear radiance, three floats per pixel
      * @param samples per pixel, at least 1
      */
+    @SuppressWarnings("ArrayRecordComponent") // never compared
     public record Half(float[] sums, int samples) {}
 
     /** The noise of the mean of all samples, relative to white. */
