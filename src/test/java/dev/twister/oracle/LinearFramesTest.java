@@ -23,7 +23,7 @@ class LinearFramesTest {
      * than 1 of 255, and most edges in these scenes appear in curved mirrors, which amplify rounding.
      */
     private static final Map<String, Integer> PIXELS_AN_ODD_ONE =
-            Map.of("bokeh", 2000, "mirrors", 1000, "spheres-10000", 200);
+            Map.of("bokeh", 2000, "cornell", 200, "mirrors", 1000, "spheres-10000", 200);
 
     static List<String> names() {
         return ShippedScenes.names();

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraView;
+import dev.twister.scene.Emission;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Material;
@@ -104,6 +105,8 @@ class SceneFilePropertyTest {
     private static Arbitrary<Scene> scenes(int version, SequencedMap<String, Material> materials) {
         return Values.of(format(version, materials).scene())
                 .map(scene -> scene.withMaterials(materials))
+                .map(scene -> scene.withGround(
+                        scene.ground().withMaterial(scene.ground().material().withEmission(Emission.NONE))))
                 .map(scene -> scene.withCamera(risingTimes(scene.camera())))
                 .map(scene -> scene.withViews(withOwnNames(scene.views())))
                 .map(scene -> scene.pour()

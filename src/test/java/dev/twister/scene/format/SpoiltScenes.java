@@ -580,6 +580,36 @@ final class SpoiltScenes {
                     "",
                     "8:5: $.meshes[0].file is missing; required here: file"),
             shape(
+                    "plane that emits",
+                    false,
+                    "\"reflectivity\": 32",
+                    "\"reflectivity\": 32, \"emission\": [1, 1, 1]",
+                    "5:116: $.plane.emission is given, but the plane cannot emit light; add a quad that does"),
+            shape(
+                    "plane of a material that emits",
+                    false,
+                    "\"plane\": {\"size\": 48, \"height\": 0, \"colors\": [[0.4, 0.4, 0.4], [0.2, 0.2, 0.2]], \"reflectivity\": 32}",
+                    "\"materials\": {\"lamp\": {\"color\": [1, 1, 1], \"reflectivity\": 0, \"emission\": [1, 1, 1]}}, \"plane\": {\"size\": 48, \"height\": 0, \"material\": \"lamp\"}",
+                    "5:137: $.plane.material is a material that emits, but the plane cannot emit light; add a quad that does"),
+            shape(
+                    "light without a radius",
+                    true,
+                    "\"radius\": 1.2",
+                    "\"radius\": 0",
+                    "4:46: $.light.radius is 0, but must be a number from 0.000001 to 1000000 meters"),
+            shape(
+                    "negative strength",
+                    true,
+                    "\"radius\": 1.2",
+                    "\"radius\": 1.2, \"strength\": -1",
+                    "4:63: $.light.strength is -1, but must be a number from 0 to 1000000000 m^2"),
+            shape(
+                    "infinite strength",
+                    true,
+                    "\"radius\": 1.2",
+                    "\"radius\": 1.2, \"strength\": 1e999",
+                    "4:63: $.light.strength is 1e999, but must be a number from 0 to 1000000000 m^2"),
+            shape(
                     "shape in version 2",
                     true,
                     "\"version\": 3",
