@@ -216,6 +216,22 @@ public final class Shadow {
      */
     private static int candidates(
             float[] path, int own, float[] scratch, float[] frame, float[] bodies, float[] looks, int variant) {
+        int count = 0;
+        if ((variant & Variant.WALK) == 0) {
+            int root = (int) frame[Layout.ROOT];
+            int link = (int) bodies[root + Layout.NODE_LINK];
+            int spheres = (int) bodies[root + Layout.NODE_SPHERES];
+            count = addLeaf(path, own, 0, link, spheres, scratch, bodies, looks, variant);
+        }
+        if ((variant & Variant.WALK) != 0) {
+            count = onWalk(path, own, scratch, frame, bodies, looks, variant);
+        }
+        return count;
+    }
+
+    /** As above, through the hierarchy. */
+    private static int onWalk(
+            float[] path, int own, float[] scratch, float[] frame, float[] bodies, float[] looks, int variant) {
         float axisX = path[Layout.TO_LIGHT];
         float axisY = path[Layout.TO_LIGHT + 1];
         float axisZ = path[Layout.TO_LIGHT + 2];

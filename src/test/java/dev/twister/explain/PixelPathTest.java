@@ -97,6 +97,15 @@ class PixelPathTest {
         }
     }
 
+    @Test
+    void tracedPathsUnderSeveralLightsAddUp() {
+        for (int seed = 0; seed < 6; seed++) {
+            Random random = new Random(seed);
+            LitScene scene = RandomLights.added(RandomMaterials.scene(random, 6), random);
+            pathsAddUp(input(scene, scene.scene().rendering().withIntegrator(Integrator.PATH)));
+        }
+    }
+
     /** Also those of a single sample, which is a picture of its own. */
     @Test
     void aTracedSampleIsThatOfTheEngine() {

@@ -177,7 +177,7 @@ class ShadowTest {
                 SphereHierarchy.of(places, bodies(places), mostInLeaf),
                 new float[0],
                 new float[0],
-                0);
+                Variant.WALK);
     }
 
     private static float plain(float[] places, float x, float y, float z, int own, int samples) {

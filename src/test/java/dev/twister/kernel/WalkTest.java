@@ -73,7 +73,8 @@ class WalkTest {
             tree[Layout.PLACE_SIZE] = discRadius / 2;
             oneLeaf[Layout.PLACE_SIZE] = discRadius / 2;
             float[] path = Paths.lit(point, axis, distance);
-            float walked = Shadow.visible(path, own, scratch, frame, tree, looks, new float[0], materials);
+            float walked =
+                    Shadow.visible(path, own, scratch, frame, tree, looks, new float[0], materials | Variant.WALK);
             float plain = Shadow.visible(path, own, scratch, frame, oneLeaf, looks, new float[0], materials);
             // The factors are the same, but multiplied in another order.
             assertThat(walked)

@@ -12,6 +12,7 @@ import dev.twister.oracle.LitScene;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.RandomScenes;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -136,6 +137,21 @@ final class DeclinedTest {
         try (Engine vector = VectorEngines.open(2);
                 Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
             assertThat(pixels(vector, unknown)).isEqualTo(pixels(sequential, unknown));
+        }
+    }
+
+    @Test
+    void severalLightsAndSharesDeclineTheFrame() {
+        Scene scene = SceneReader.read(Path.of("scenes", "teaching.json"));
+        Light light = scene.lights().first();
+        for (Lights lights : List.of(new Lights(List.of(light, light)), Lights.of(light.withShare(0.5)))) {
+            FrameInput input = World.of(
+                            scene.withLights(lights),
+                            SkyboxReader.read(scene.sky().file()))
+                    .snapshot();
+            Drawing drawing = new Drawing();
+            drawing.take(input, Frame.ofPixels(input.width(), input.rows()), false);
+            assertThat(drawing.declined.isFrame()).isTrue();
         }
     }
 
