@@ -22,6 +22,7 @@ public record Shape(Kind kind, Vector3 size) implements Geometry {
         /** A ball of triangles. */
         ICOSPHERE(1, 1);
 
+        @SuppressWarnings("ImmutableEnumChecker") // a record of numbers
         private final Vector3 unit;
 
         Kind(double height, double depth) {
