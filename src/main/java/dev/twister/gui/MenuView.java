@@ -27,7 +27,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import javafx.beans.value.ObservableValue;
-import javafx.collections.ObservableList;
 import javafx.scene.Scene;
 import javafx.scene.control.CheckMenuItem;
 import javafx.scene.control.Menu;
@@ -87,10 +86,12 @@ final class MenuView extends MenuBar {
             if (group == Group.VIEW) {
                 menu.getItems().addFirst(shownMenu(studio));
             }
+            if (group == Group.EDIT) {
+                int mesh = menu.getItems().indexOf(items.get(Command.INSERT_MESH));
+                menu.getItems().add(mesh + 1, shapesMenu(insertShape));
+            }
             getMenus().add(menu);
         }
-        ObservableList<MenuItem> edit = getMenus().get(Group.EDIT.ordinal()).getItems();
-        edit.add(edit.indexOf(items.get(Command.INSERT_MESH)) + 1, shapesMenu(insertShape));
         recent.setId("recent");
         getMenus().getFirst().getItems().add(1, recent);
         underline(getMenus());

@@ -37,6 +37,7 @@ class PathReferencesTest {
     private static final double NOISE = SAMPLES < REFERENCE_SAMPLES ? 2 : 0;
 
     /** Values and their standard errors, channel by channel. */
+    @SuppressWarnings("ArrayRecordComponent") // never compared
     private record Blocks(double[] values, double[] errors) {}
 
     /** @param worst of the mean of a block's channels */
@@ -92,7 +93,7 @@ class PathReferencesTest {
         double[] values = new double[VALUES];
         double[] errors = new double[VALUES];
         for (int block = 0; block < VALUES / 3; block++) {
-            String[] fields = lines.get(block + 1).split(",");
+            String[] fields = lines.get(block + 1).split(",", -1);
             for (int channel = 0; channel < 3; channel++) {
                 values[3 * block + channel] = Double.parseDouble(fields[2 + channel]);
                 errors[3 * block + channel] = Double.parseDouble(fields[5 + channel]);
