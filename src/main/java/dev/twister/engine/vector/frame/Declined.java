@@ -114,7 +114,10 @@ public final class Declined {
         float emission = looks[look + Layout.LOOK_EMISSION]
                 + looks[look + Layout.LOOK_EMISSION + 1]
                 + looks[look + Layout.LOOK_EMISSION + 2];
-        return body != Layout.LIGHT && (looks[look + Layout.LOOK_METALLIC] != 0 || emission > 0);
+        // Fresnel's equations, at -1, decide in path tracing alone.
+        float metallic = looks[look + Layout.LOOK_METALLIC];
+        boolean tinted = metallic != 0 && metallic != -1;
+        return body != Layout.LIGHT && (tinted || emission > 0);
     }
 
     /** Whether view rays may start inside a declined body that transmits; lanes do not see it from there. */
