@@ -208,8 +208,8 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /** Item: direction, normal, roughness, column, row, bounce. Table: one pixel sample. */
-    static void facetItems(float[] in, float[] samples, float[] b, float[] c, float[] out, int count) {
+    /** Item: direction, normal, roughness, column, row, bounce. Table: a frame, its pixel sample last. */
+    static void facetItems(float[] in, float[] frame, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
             path[Layout.DIRECTION] = in[10 * i];
@@ -221,9 +221,9 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             path[Layout.ROUGHNESS] = in[10 * i + 6];
             path[Layout.PIXEL_COLUMN] = in[10 * i + 7];
             path[Layout.PIXEL_ROW] = in[10 * i + 8];
-            path[Layout.PIXEL_SAMPLE] = 0f;
+            path[Layout.PIXEL_SAMPLE] = Layout.DISC;
             path[Layout.BOUNCE] = in[10 * i + 9];
-            Facet.find(path, samples);
+            Facet.find(path, frame);
             out[3 * i] = path[Layout.FACET];
             out[3 * i + 1] = path[Layout.FACET + 1];
             out[3 * i + 2] = path[Layout.FACET + 2];

@@ -77,7 +77,7 @@ class HelpersOnDeviceTest {
             new Helper("hit", 8, 2, 1e-3, 20, PLACED, LOOKS, 1),
             new Helper("walk", 8, 2, 1e-3, 20, PLACED, LOOKS, 1),
             new Helper("sky", 5, 5, 2e-4, 0, 3 * 32 * 16, 1, 1),
-            new Helper("facet", 10, 3, 1e-4, 20, Layout.SAMPLE_STRIDE, 1, 1),
+            new Helper("facet", 10, 3, 1e-4, 20, Layout.DISC + Layout.SAMPLE_STRIDE, 1, 1),
             new Helper("refraction", 4, 2, 1e-4, 4),
             new Helper("texture", 4, 1, 1e-5, 0, 3 + 3 * 32 * 16, 1, 1),
             new Helper("light", 6, 3, 1e-4, 0),
