@@ -21,14 +21,15 @@ final class MeshShadow {
         float leastX = NodeBox.inverse(axisX - spreadX);
         float leastY = NodeBox.inverse(axisY - spreadY);
         float leastZ = NodeBox.inverse(axisZ - spreadZ);
-        float mostX = NodeBox.inverse(axisX + spreadX);
-        float mostY = NodeBox.inverse(axisY + spreadY);
-        float mostZ = NodeBox.inverse(axisZ + spreadZ);
+        float greatestX = NodeBox.inverse(axisX + spreadX);
+        float greatestY = NodeBox.inverse(axisY + spreadY);
+        float greatestZ = NodeBox.inverse(axisZ + spreadZ);
         float end = path[Layout.LIGHT_DISTANCE] * Shadow.RELATIVE_MARGIN;
         int nodes = (int) frame[Layout.INSTANCES] + 1;
         Aspect.count(path, Aspect.TESTS, 1, variant);
         float growth = NodeBox.coneGrowth(path, bodies, nodes);
-        float rootEntry = NodeBox.coneEntry(path, bodies, nodes, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
+        float rootEntry =
+                NodeBox.coneEntry(path, bodies, nodes, leastX, leastY, leastZ, greatestX, greatestY, greatestZ, growth);
         int node = rootEntry < end ? nodes : Layout.NO_NODE;
         int waiting = 0;
         int met = 0;
@@ -38,10 +39,10 @@ final class MeshShadow {
                 Aspect.count(path, Aspect.TESTS, 2, variant);
                 int child = nodes + Layout.NODE_STRIDE * (int) bodies[node + Layout.NODE_LINK];
                 int other = child + Layout.NODE_STRIDE;
-                float first =
-                        NodeBox.coneEntry(path, bodies, child, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
-                float second =
-                        NodeBox.coneEntry(path, bodies, other, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
+                float first = NodeBox.coneEntry(
+                        path, bodies, child, leastX, leastY, leastZ, greatestX, greatestY, greatestZ, growth);
+                float second = NodeBox.coneEntry(
+                        path, bodies, other, leastX, leastY, leastZ, greatestX, greatestY, greatestZ, growth);
                 int both = (first < end ? 1 : 0) & (second < end ? 1 : 0);
                 if (both != 0) {
                     scratch[Layout.SCRATCH_STACK + waiting] = (int) bodies[node + Layout.NODE_LINK] + 1;

@@ -94,7 +94,7 @@ public final class NodeBox {
      *
      * @param path with {@link Layout#POINT}
      * @param leastX {@link #inverse} of the least x, {@code axis - spread}; leastY and leastZ likewise
-     * @param mostX {@link #inverse} of the most x, {@code axis + spread}; mostY and mostZ likewise
+     * @param greatestX {@link #inverse} of the most x, {@code axis + spread}; greatestY and greatestZ likewise
      */
     static float coneEntry(
             float[] path,
@@ -103,9 +103,9 @@ public final class NodeBox {
             float leastX,
             float leastY,
             float leastZ,
-            float mostX,
-            float mostY,
-            float mostZ,
+            float greatestX,
+            float greatestY,
+            float greatestZ,
             float growth) {
         float x = hierarchy[node + Layout.NODE_CENTER] - path[Layout.POINT];
         float y = hierarchy[node + Layout.NODE_CENTER + 1] - path[Layout.POINT + 1];
@@ -113,25 +113,25 @@ public final class NodeBox {
         float halfX = hierarchy[node + Layout.NODE_HALF] + growth;
         float halfY = hierarchy[node + Layout.NODE_HALF + 1] + growth;
         float halfZ = hierarchy[node + Layout.NODE_HALF + 2] + growth;
-        float lowX = (x - halfX) * mostX;
-        float lowY = (y - halfY) * mostY;
-        float lowZ = (z - halfZ) * mostZ;
+        float lowX = (x - halfX) * greatestX;
+        float lowY = (y - halfY) * greatestY;
+        float lowZ = (z - halfZ) * greatestZ;
         float highX = (x + halfX) * leastX;
         float highY = (y + halfY) * leastY;
         float highZ = (z + halfZ) * leastZ;
         float in = 0f;
         float out = PASSED;
-        if (mostX > 0f) {
+        if (greatestX > 0f) {
             in = Math.max(in, lowX);
         } else {
             out = Math.min(out, lowX);
         }
-        if (mostY > 0f) {
+        if (greatestY > 0f) {
             in = Math.max(in, lowY);
         } else {
             out = Math.min(out, lowY);
         }
-        if (mostZ > 0f) {
+        if (greatestZ > 0f) {
             in = Math.max(in, lowZ);
         } else {
             out = Math.min(out, lowZ);

@@ -242,9 +242,9 @@ public final class Shadow {
         float leastX = NodeBox.inverse(axisX - spreadX);
         float leastY = NodeBox.inverse(axisY - spreadY);
         float leastZ = NodeBox.inverse(axisZ - spreadZ);
-        float mostX = NodeBox.inverse(axisX + spreadX);
-        float mostY = NodeBox.inverse(axisY + spreadY);
-        float mostZ = NodeBox.inverse(axisZ + spreadZ);
+        float greatestX = NodeBox.inverse(axisX + spreadX);
+        float greatestY = NodeBox.inverse(axisY + spreadY);
+        float greatestZ = NodeBox.inverse(axisZ + spreadZ);
         float end = path[Layout.LIGHT_DISTANCE] * RELATIVE_MARGIN;
         int node = (int) frame[Layout.ROOT];
         float growth = NodeBox.coneGrowth(path, bodies, node);
@@ -256,10 +256,19 @@ public final class Shadow {
             int next = Layout.NO_NODE;
             if (spheres < 0) {
                 Aspect.count(path, Aspect.TESTS, 2, variant);
-                float first =
-                        NodeBox.coneEntry(path, bodies, link, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
+                float first = NodeBox.coneEntry(
+                        path, bodies, link, leastX, leastY, leastZ, greatestX, greatestY, greatestZ, growth);
                 float second = NodeBox.coneEntry(
-                        path, bodies, link + Layout.NODE_STRIDE, leastX, leastY, leastZ, mostX, mostY, mostZ, growth);
+                        path,
+                        bodies,
+                        link + Layout.NODE_STRIDE,
+                        leastX,
+                        leastY,
+                        leastZ,
+                        greatestX,
+                        greatestY,
+                        greatestZ,
+                        growth);
                 int swapped = second < first ? Layout.NODE_STRIDE : 0;
                 float near = second < first ? second : first;
                 float far = second < first ? first : second;
