@@ -35,7 +35,11 @@ class DeviceCheckingTest {
                 .isTrue();
 
         assertThat(out.toString())
-                .contains("benchmark, bokeh, cornell, gallery, glass", "\n| parallel ", "\n| sequential ", "within tolerance");
+                .contains(
+                        "benchmark, bokeh, cornell, gallery, glass",
+                        "\n| parallel ",
+                        "\n| sequential ",
+                        "within tolerance");
         assertThat(err.toString()).isEmpty();
         assertThat(json).isNotEmptyFile();
     }
