@@ -15,7 +15,7 @@ final class OpenClFlags {
 
     /**
      * @param platform the name of the OpenCL platform. Exact divisions and square roots are asked of NVIDIA's alone: a
-     *     driver may refuse the option, and those for CPUs are exact without it
+     *     driver may refuse the option, and the pictures of Intel's are the same with it
      */
     static String forPlatform(String platform) {
         String always = "-w " + NO_CONTRACTION;
