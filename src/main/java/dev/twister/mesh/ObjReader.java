@@ -33,6 +33,7 @@ final class ObjReader {
     private final IntList polygonTextures = new IntList();
     private final SequencedMap<String, Integer> numberByMaterial = new LinkedHashMap<>();
     private final Map<String, Material> defined = new HashMap<>();
+    private final ObjColors colors = new ObjColors();
     private int libraries;
     private int material;
 
@@ -53,6 +54,7 @@ final class ObjReader {
             }
             text.skipLine();
         }
+        colors.addTo(soup);
         MeshAssembly.Assembled assembled = MeshAssembly.assemble(soup, Axes.Y_UP, smoothDegrees);
         if (assembled.meshByMaterial().isEmpty()) {
             throw MeshAssembly.noTriangles(bytes, assembled.degenerateTriangles());
@@ -98,6 +100,7 @@ final class ObjReader {
         double x = coordinate();
         double y = coordinate();
         soup.position(x, y, coordinate());
+        colors.read(text, soup.vertices());
         if (soup.vertices() > MeshLimits.VERTICES) {
             throw text.failure("more than " + MeshLimits.VERTICES + " vertices");
         }

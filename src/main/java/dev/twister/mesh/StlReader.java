@@ -80,6 +80,7 @@ final class StlReader {
             int b = vertexAt(at + 12);
             soup.triangle(a, b, vertexAt(at + 24));
         }
+        StlColors.read(bytes, (int) count, soup);
     }
 
     private int vertexAt(long at) throws IOException {

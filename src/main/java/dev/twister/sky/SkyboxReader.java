@@ -69,14 +69,16 @@ public final class SkyboxReader {
         if (RadianceHeader.startsIn(file)) {
             return RadianceReader.read(file);
         }
-        return decodeOrdinary(file, warnings).orElseThrow(() -> unknown(file, "panorama", "Radiance, PNG and JPEG"));
+        return decodeOrdinary(file, true, warnings)
+                .orElseThrow(() -> unknown(file, "panorama", "Radiance, PNG and JPEG"));
     }
 
     /** The picture of a PNG or JPEG; empty where the first bytes are of neither. */
-    static Optional<Skybox> decodeOrdinary(FileBytes file, Consumer<String> warnings) throws IOException {
+    static Optional<Skybox> decodeOrdinary(FileBytes file, boolean overBlack, Consumer<String> warnings)
+            throws IOException {
         for (OrdinaryImageFormat format : OrdinaryImageFormat.values()) {
             if (format.startsIn(file)) {
-                return Optional.of(OrdinaryImageReader.read(file, format, warnings));
+                return Optional.of(OrdinaryImageReader.read(file, format, overBlack, warnings));
             }
         }
         return Optional.empty();
