@@ -64,14 +64,13 @@ public final class BodyNumbers {
     }
 
     private static List<NumberProperty<Scene>> ofMesh(Scene scene, int body) {
-        Stream<NumberProperty<Mesh>> sides =
-                switch (BodyEdits.mesh(scene, body).geometry()) {
-                    case Geometry.OfFile _ -> Stream.empty();
-                    case Shape(Shape.Kind kind, _) ->
-                        SIDES.stream()
-                                .limit(kind == Shape.Kind.QUAD ? 2 : 3)
-                                .map(side -> side.in(BodyNumbers::shape, BodyNumbers::reshaped));
-                };
+        Stream<NumberProperty<Mesh>> sides = switch (BodyEdits.mesh(scene, body).geometry()) {
+            case Geometry.OfFile _ -> Stream.empty();
+            case Shape shape ->
+                SIDES.stream()
+                        .limit(shape.kind() == Shape.Kind.QUAD ? 2 : 3)
+                        .map(side -> side.in(BodyNumbers::shape, BodyNumbers::reshaped));
+        };
         return Stream.concat(MESH.stream(), sides)
                 .map(number -> ofMesh(body, number))
                 .toList();
