@@ -127,7 +127,8 @@ public final class Studio implements AutoCloseable {
     /** The samples per pixel of the picture; empty unless it is finished and no other is being drawn. */
     public Optional<Integer> restingSamples() {
         return picture.get()
-                .filter(shown -> shown.request().number() == requests
+                .filter(shown -> shown.isWhole()
+                        && shown.request().number() == requests
                         && !shown.request().isContinuous()
                         && shown.samples() >= shown.request().refineTo())
                 .map(DrawnPicture::samples);
