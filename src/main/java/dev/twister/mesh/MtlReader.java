@@ -62,13 +62,21 @@ final class MtlReader {
                         throw text.failure("more than " + MAX_MATERIALS + " materials");
                     }
                 } else {
-                    readField(keyword, current);
+                    tryField(keyword, current);
                 }
             }
             text.skipLine();
         }
         materials.putIfAbsent(name, current.material());
         return materials;
+    }
+
+    private void tryField(String keyword, MtlMaterial material) throws IOException {
+        try {
+            readField(keyword, material);
+        } catch (MeshException problem) {
+            warnings.add(problem, "; not read");
+        }
     }
 
     private void readField(String keyword, MtlMaterial material) throws IOException {
@@ -132,7 +140,7 @@ final class MtlReader {
         if (rest.isEmpty()) {
             return Optional.empty();
         }
-        return TextureFiles.usable(PathsBeside.of(file, rest, text::failure), warnings);
+        return TextureFiles.beside(file, rest, warnings);
     }
 
     private static String withoutOption(String line) {

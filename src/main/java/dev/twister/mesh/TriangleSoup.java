@@ -27,6 +27,8 @@ final class TriangleSoup {
     /** Material number per triangle; empty if all are 0. */
     final IntList materialOf = new IntList();
 
+    private int unusablePositions;
+
     /** With initial capacity for a number of vertices and triangles. */
     TriangleSoup(int vertices, int triangles) {
         positions = new FloatList(3 * vertices);
@@ -47,6 +49,20 @@ final class TriangleSoup {
         positions.add((float) x);
         positions.add((float) y);
         positions.add((float) z);
+    }
+
+    /** Adds a position that the file spoils; triangles with it are dropped as degenerate. */
+    void missingPosition() {
+        unusablePositions++;
+        position(Double.NaN, Double.NaN, Double.NaN);
+    }
+
+    /** Warns of positions that the file spoils. */
+    void warnOfUnusable(Warnings warnings) {
+        if (unusablePositions > 0) {
+            warnings.add("vertices with coordinates that are not numbers from -1e9 to 1e9: " + unusablePositions
+                    + "; not read, nor triangles with them");
+        }
     }
 
     /** Adds a normal of any length; a zero or non-finite one counts as missing. */

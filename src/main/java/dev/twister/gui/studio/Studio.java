@@ -52,6 +52,10 @@ public final class Studio implements AutoCloseable {
     private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
     private final ReadOnlyStringWrapper notice = new ReadOnlyStringWrapper("");
+
+    /** The warnings about files in the notice; empty if it says something else. */
+    private String warned = "";
+
     private final FrameHistory frames = new FrameHistory();
     private final Selection selection;
     private final MotionControl motion;
@@ -176,13 +180,14 @@ public final class Studio implements AutoCloseable {
 
     /** Shows a message in the status line. */
     public void notice(String text) {
+        warned = "";
         notice.set(text);
     }
 
     /** Clears a message, if it is still shown. */
     public void retract(String text) {
         if (notice.get().equals(text)) {
-            notice.set("");
+            notice("");
         }
     }
 
@@ -329,6 +334,12 @@ public final class Studio implements AutoCloseable {
         }
     }
 
+    /** Shows warnings about files beside those that are still shown. */
+    private void warn(String warnings) {
+        warned = warned.isEmpty() ? warnings : warned + "; " + warnings;
+        notice.set(warned);
+    }
+
     /**
      * Called in every pulse: moves the camera, and takes the picture that the drawing thread has finished.
      *
@@ -343,7 +354,7 @@ public final class Studio implements AutoCloseable {
             frames.add(newest, displayMillis);
             picture.set(Optional.of(newest));
         });
-        assets.takeWarnings().ifPresent(this::notice);
+        assets.takeWarnings().ifPresent(this::warn);
         if (assets.takeMeshesRead()) {
             request();
         }
