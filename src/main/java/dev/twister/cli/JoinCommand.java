@@ -2,19 +2,12 @@ package dev.twister.cli;
 
 import dev.twister.files.InputFile;
 import dev.twister.files.PrintableText;
-import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrExtent;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
-import dev.twister.image.ExrWriter;
-import dev.twister.image.HdrWriter;
 import dev.twister.image.JoinedPicture;
 import dev.twister.image.PictureSize;
-import dev.twister.image.PngWriter;
-import dev.twister.image.Provenance;
 import dev.twister.scene.Rendering;
-import dev.twister.world.AutoExposure;
-import dev.twister.world.TonedPixels;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -40,9 +33,6 @@ import picocli.CommandLine.Spec;
             "  twister join samples-*.exr -o picture.png --exposure 1"
         })
 final class JoinCommand implements Callable<Integer> {
-    private static final int CHANNELS = 3;
-    private static final String COLORS = "RGB";
-
     @Spec
     private CommandSpec spec;
 
@@ -61,11 +51,8 @@ final class JoinCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        if (List.of(".exr", ".hdr", ".png").stream().noneMatch(ending -> OutputFile.endsIn(output, ending))) {
-            throw new BadInputException("--output is " + output + ", but must end in .exr, .hdr or .png");
-        }
+        LinearPictureFile.check(output);
         Rendering settings = tone.over(Rendering.DEFAULT);
-        OutputFile.check("--output", output);
         for (Path part : parts) {
             InputFile.problem(part).ifPresent(problem -> {
                 throw new BadInputException(part + ": " + problem);
@@ -73,7 +60,7 @@ final class JoinCommand implements Callable<Integer> {
         }
         OutputFile.checkKeeps("--output", output, parts);
         ExrPicture picture = joined();
-        write(picture, settings);
+        LinearPictureFile.write(output, picture, settings, tone);
         spec.commandLine()
                 .getOut()
                 .printf(
@@ -108,35 +95,5 @@ final class JoinCommand implements Callable<Integer> {
         } catch (IllegalArgumentException problem) {
             throw new BadInputException(problem.getMessage());
         }
-    }
-
-    private void write(ExrPicture picture, Rendering settings) throws IOException {
-        Provenance made = picture.provenance().orElseThrow();
-        if (OutputFile.endsIn(output, ".exr")) {
-            ExrWriter.write(output, picture);
-        } else if (OutputFile.endsIn(output, ".hdr")) {
-            HdrWriter.write(output, picture.width(), picture.height(), radiance(picture), made);
-        } else {
-            float[] radiance = radiance(picture);
-            int[] pixels = TonedPixels.of(
-                    radiance, tone.metered(settings, () -> AutoExposure.stops(radiance, settings.srgb())));
-            PngWriter.write(output, picture.width(), picture.height(), pixels, settings.srgb(), made);
-        }
-    }
-
-    private float[] radiance(ExrPicture picture) {
-        float[] radiance = new float[CHANNELS * picture.width() * picture.height()];
-        for (int color = 0; color < CHANNELS; color++) {
-            String name = COLORS.substring(color, color + 1);
-            ExrChannel channel = picture.channels().stream()
-                    .filter(each -> each.name().equals(name))
-                    .findFirst()
-                    .orElseThrow(() -> new BadInputException(
-                            "the parts have no channel " + name + ", only numbers; give an .exr file as --output"));
-            for (int i = 0; i < channel.values().length; i++) {
-                radiance[CHANNELS * i + color] = channel.values()[i];
-            }
-        }
-        return radiance;
     }
 }

@@ -45,7 +45,8 @@ final class ViewCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        Scene scene = MeshFiles.stage(file, spec.commandLine().getErr());
+        Scene scene =
+                MeshFiles.stage(file, output.isPresent(), spec.commandLine().getErr());
         if (output.isPresent()) {
             if (SceneOutput.check(output.get())) {
                 OutputFile.checkKeeps("--output", output.get(), List.of(file));

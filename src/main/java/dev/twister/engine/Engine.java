@@ -41,6 +41,14 @@ public interface Engine extends AutoCloseable {
     }
 
     /**
+     * Whether this engine would leave the whole frame to the kernel on the JVM's threads, and so is not faster than
+     * {@code parallel} there. Costs little; nothing is rendered.
+     */
+    default boolean declines(FrameInput input) {
+        return false;
+    }
+
+    /**
      * Signals that no frame is requested for now. Until the next frame the engine may prepare for other scenes on its
      * own threads. Returns at once.
      */

@@ -1,5 +1,6 @@
 package dev.twister.mesh;
 
+import dev.twister.files.GitLfs;
 import dev.twister.files.InputFile;
 import java.io.Closeable;
 import java.io.IOException;
@@ -77,7 +78,7 @@ final class GltfBuffers implements Closeable {
             byte[] data = data(uri);
             return new Range(Bytes.of(bytes.name() + ": " + uri, data), 0, data.length);
         }
-        Path path = path(file, uri);
+        Path path = PathsBeside.of(file, name(uri), problem -> uri.failure(": " + problem));
         Optional<String> problem = InputFile.problem(path);
         if (problem.isPresent()) {
             throw uri.failure("names a file beside this one, " + Shown.text(uri.text()) + ": " + problem.get());
@@ -85,6 +86,9 @@ final class GltfBuffers implements Closeable {
         FileChannel channel = FileChannel.open(path, StandardOpenOption.READ);
         channels.add(channel);
         Bytes content = Bytes.of(path, channel);
+        if (content.startsWith(GitLfs.START)) {
+            throw content.failure(GitLfs.PROBLEM);
+        }
         return new Range(content, 0, content.length());
     }
 
@@ -106,16 +110,15 @@ final class GltfBuffers implements Closeable {
         }
     }
 
-    /** The file of a relative URI. */
-    static Path path(Path file, GltfPlace uri) {
+    /** The file name in a relative URI. */
+    static String name(GltfPlace uri) {
         String text = uri.text();
         try {
             // URLDecoder is meant for forms and would turn a plus into a space.
-            text = URLDecoder.decode(text.replace("+", "%2B"), StandardCharsets.UTF_8);
+            return URLDecoder.decode(text.replace("+", "%2B"), StandardCharsets.UTF_8);
         } catch (IllegalArgumentException broken) {
             throw uri.failure("is " + Shown.text(text) + ", no valid URI");
         }
-        return PathsBeside.of(file, text, problem -> uri.failure(": " + problem));
     }
 
     /** Total length of the opened buffers in bytes. */

@@ -1,6 +1,8 @@
 package dev.twister.mesh;
 
+import dev.twister.files.SystemReason;
 import java.io.IOException;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -9,6 +11,8 @@ import java.util.Optional;
 
 /** The images of a glTF file, embedded or separate. */
 final class GltfImages {
+    private static final String WITHOUT = "; rendered without it";
+
     private final Path file;
     private final Bytes bytes;
     private final GltfPlace root;
@@ -34,14 +38,14 @@ final class GltfImages {
     /** The image of a texture; empty, with a warning, if it cannot be used. */
     Optional<Path> ofTexture(GltfPlace texture) throws IOException {
         if (!texture.at("source").exists()) {
-            warnings.add(texture + " has no PNG or JPEG" + ofExtension(texture) + "; rendered without it");
+            warnings.add(texture + " has no PNG or JPEG" + ofExtension(texture) + WITHOUT);
             return Optional.empty();
         }
         GltfPlace images = root.at("images");
         int index = texture.at("source").index(images);
         Optional<Path> known = found.get(index);
         if (known == null) {
-            known = find(images.at(index), index);
+            known = usable(images.at(index), index);
             found.put(index, known);
         }
         return known;
@@ -54,6 +58,19 @@ final class GltfImages {
                 .orElse("");
     }
 
+    private Optional<Path> usable(GltfPlace image, int index) throws IOException {
+        try {
+            return find(image, index);
+        } catch (ClosedByInterruptException canceled) {
+            throw canceled;
+        } catch (MeshException problem) {
+            warnings.add(problem, WITHOUT);
+        } catch (IOException problem) {
+            warnings.add(image + ": " + SystemReason.of(problem) + WITHOUT);
+        }
+        return Optional.empty();
+    }
+
     private Optional<Path> find(GltfPlace image, int index) throws IOException {
         GltfPlace uri = image.at("uri");
         if (!uri.exists()) {
@@ -64,7 +81,7 @@ final class GltfImages {
             byte[] data = GltfBuffers.data(uri);
             return embed(image, index, new GltfBuffers.Range(Bytes.of("", data), 0, data.length));
         }
-        return TextureFiles.usable(GltfBuffers.path(file, uri), warnings);
+        return TextureFiles.beside(file, GltfBuffers.name(uri), warnings);
     }
 
     private Optional<Path> embed(GltfPlace image, int index, GltfBuffers.Range range) throws IOException {
@@ -73,10 +90,7 @@ final class GltfImages {
             throw image.failure("shares its bytes with other images, which together are more than the file's");
         }
         byte[] picture = range.bytes().copy(range.start(), (int) range.length());
-        if (!TextureFiles.isPicture(picture)) {
-            warnings.add(image + " is neither PNG nor JPEG; rendered without it");
-            return Optional.empty();
-        }
+        TextureFiles.check(picture);
         Path path = file.resolveSibling(file.getFileName() + "#" + index);
         embedded.put(path, picture);
         return Optional.of(path);

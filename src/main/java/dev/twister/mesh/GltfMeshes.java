@@ -136,6 +136,7 @@ final class GltfMeshes {
         for (int vertex : used.vertices()) {
             addPosition(soup, positions, vertex);
         }
+        soup.warnOfUnusable(warnings);
         if (normals.isPresent()) {
             addNormals(soup, normals.get(), used.vertices());
         }
@@ -203,12 +204,11 @@ final class GltfMeshes {
         double x = positions.get(vertex, 0);
         double y = positions.get(vertex, 1);
         double z = positions.get(vertex, 2);
-        for (double value : new double[] {x, y, z}) {
-            if (!MeshLimits.isCoordinate(value)) {
-                throw positions.place().failure("has at element " + vertex + " " + MeshLimits.badCoordinate(value));
-            }
+        if (MeshLimits.areCoordinates(x, y, z)) {
+            soup.position(x, y, z);
+        } else {
+            soup.missingPosition();
         }
-        soup.position(x, y, z);
     }
 
     /** Three vertex numbers per triangle, for triangle lists, strips and fans. */

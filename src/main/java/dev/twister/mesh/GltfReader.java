@@ -22,6 +22,33 @@ final class GltfReader {
             "KHR_mesh_quantization",
             "KHR_texture_transform");
 
+    /**
+     * Starts of the names of extensions that describe no triangles, but looks, images, lights, sounds, behavior and
+     * notes. A file is read without them, even where it requires them.
+     */
+    private static final List<String> WITHOUT_GEOMETRY = List.of(
+            "KHR_materials_",
+            "KHR_texture_",
+            "EXT_texture_",
+            "MSFT_texture_",
+            "MSFT_packing_",
+            "ADOBE_materials_",
+            "KHR_techniques_webgl",
+            "KHR_lights_",
+            "EXT_lights_",
+            "KHR_xmp",
+            "KHR_animation_pointer",
+            "KHR_audio",
+            "KHR_interactivity",
+            "KHR_node_hoverability",
+            "KHR_node_selectability",
+            "KHR_physics_",
+            "EXT_structural_metadata",
+            "EXT_mesh_features",
+            "EXT_instance_features",
+            "EXT_feature_metadata",
+            "AGI_");
+
     private final Path file;
     private final Bytes bytes;
     private final double smoothDegrees;
@@ -65,8 +92,7 @@ final class GltfReader {
     private void checkExtensions(GltfPlace root) {
         for (GltfPlace required : root.at("extensionsRequired").items()) {
             String name = required.text();
-            // These extensions affect only the look of surfaces, which are rendered plain without them.
-            if (!READ.contains(name) && !name.startsWith("KHR_materials_") && !name.equals("KHR_lights_punctual")) {
+            if (!READ.contains(name) && WITHOUT_GEOMETRY.stream().noneMatch(name::startsWith)) {
                 throw required.failure("is " + Shown.text(name) + ", which is not read; export the file without it");
             }
         }

@@ -13,14 +13,12 @@ final class MeshLimits {
 
     private MeshLimits() {}
 
-    static boolean isCoordinate(double value) {
-        return Math.abs(value) <= COORDINATE;
+    static boolean areCoordinates(double x, double y, double z) {
+        return isCoordinate(x) && isCoordinate(y) && isCoordinate(z);
     }
 
-    /** The reason why a number is not a valid coordinate. */
-    static String badCoordinate(double value) {
-        return (Double.isFinite(value) ? "the coordinate " + value : "a coordinate that is not a finite number")
-                + "; expected numbers from -1e9 to 1e9";
+    static boolean isCoordinate(double value) {
+        return Math.abs(value) <= COORDINATE;
     }
 
     /** More than that come from few bytes only if primitives share them again and again. */

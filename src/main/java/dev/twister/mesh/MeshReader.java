@@ -1,5 +1,6 @@
 package dev.twister.mesh;
 
+import dev.twister.files.GitLfs;
 import dev.twister.files.InputFile;
 import dev.twister.files.SystemReason;
 import dev.twister.scene.Geometry;
@@ -60,12 +61,19 @@ public final class MeshReader {
         if (bytes.length() > MeshLimits.FILE_BYTES) {
             throw bytes.failure(bytes.length() + " bytes; at most " + MeshLimits.FILE_BYTES + " (2 GiB) are read");
         }
-        return switch (format(file, bytes)) {
+        if (bytes.startsWith(GitLfs.START)) {
+            throw bytes.failure(GitLfs.PROBLEM);
+        }
+        MeshFile content = switch (format(file, bytes)) {
             case GLTF -> new GltfReader(file, bytes, smoothDegrees, warnings).read();
             case OBJ -> new ObjReader(file, bytes, smoothDegrees, warnings).read();
             case PLY -> new PlyReader(file, bytes, smoothDegrees, warnings).read();
             case STL -> new StlReader(bytes, smoothDegrees, warnings).read();
         };
+        if (content.degenerateTriangles() > 0) {
+            warnings.add("triangles without area: " + content.degenerateTriangles() + "; not read");
+        }
+        return content;
     }
 
     private enum Format {

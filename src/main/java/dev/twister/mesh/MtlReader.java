@@ -57,13 +57,21 @@ final class MtlReader {
                         throw text.failure("more than " + MAX_MATERIALS + " materials");
                     }
                 } else {
-                    readField(keyword, current);
+                    tryField(keyword, current);
                 }
             }
             text.skipLine();
         }
         materials.putIfAbsent(name, current.material());
         return materials;
+    }
+
+    private void tryField(String keyword, MtlMaterial material) throws IOException {
+        try {
+            readField(keyword, material);
+        } catch (MeshException problem) {
+            warnings.add(problem, "; not read");
+        }
     }
 
     private void readField(String keyword, MtlMaterial material) throws IOException {
@@ -151,8 +159,7 @@ final class MtlReader {
         }
         Sampler sampler = new Sampler(wrap, wrap, false, 0);
         double factor = scale;
-        return TextureFiles.usable(PathsBeside.of(file, rest, text::failure), warnings)
-                .map(image -> new ImageMap(image, sampler, factor));
+        return TextureFiles.beside(file, rest, warnings).map(image -> new ImageMap(image, sampler, factor));
     }
 
     private static String withoutOption(String line) {

@@ -1,8 +1,11 @@
 package dev.twister.mesh;
 
+import dev.twister.files.GitLfs;
 import dev.twister.files.InputFile;
+import dev.twister.files.SystemReason;
 import dev.twister.scene.Material;
 import java.io.IOException;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,7 +15,6 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.SequencedMap;
 
 /** Reads OBJ files and the MTL files that they refer to. */
@@ -55,6 +57,7 @@ final class ObjReader {
             text.skipLine();
         }
         colors.addTo(soup);
+        soup.warnOfUnusable(warnings);
         MeshAssembly.Assembled assembled = MeshAssembly.assemble(soup, Axes.Y_UP, smoothDegrees);
         if (assembled.meshByMaterial().isEmpty()) {
             throw MeshAssembly.noTriangles(bytes, assembled.degenerateTriangles());
@@ -97,21 +100,18 @@ final class ObjReader {
     }
 
     private void readPosition() throws IOException {
-        double x = coordinate();
-        double y = coordinate();
-        soup.position(x, y, coordinate());
+        double x = text.number();
+        double y = text.number();
+        double z = text.number();
+        if (MeshLimits.areCoordinates(x, y, z)) {
+            soup.position(x, y, z);
+        } else {
+            soup.missingPosition();
+        }
         colors.read(text, soup.vertices());
         if (soup.vertices() > MeshLimits.VERTICES) {
             throw text.failure("more than " + MeshLimits.VERTICES + " vertices");
         }
-    }
-
-    private double coordinate() throws IOException {
-        double value = text.number();
-        if (!MeshLimits.isCoordinate(value)) {
-            throw text.failure(MeshLimits.badCoordinate(value));
-        }
-        return value;
     }
 
     private void readTextureCoordinates() throws IOException {
@@ -207,30 +207,48 @@ final class ObjReader {
 
     /** Reads one file whose name may contain spaces, or several files. */
     private void readLibraries(String names) throws IOException {
-        Path whole = PathsBeside.of(file, names, text::failure);
-        if (Files.isRegularFile(whole)) {
-            readLibrary(whole);
-            return;
-        }
-        for (String name : names.split("\\s+", -1)) {
-            Path library = PathsBeside.of(file, name, text::failure);
-            Optional<String> problem = InputFile.problem(library);
-            if (problem.isPresent()) {
-                warnings.add("material library " + Shown.text(name) + ": " + problem.get());
-            } else {
-                readLibrary(library);
+        if (isFile(names)) {
+            tryLibrary(names);
+        } else {
+            for (String name : names.split("\\s+", -1)) {
+                tryLibrary(name);
             }
+        }
+    }
+
+    private boolean isFile(String name) {
+        try {
+            return Files.isRegularFile(PathsBeside.of(file, name, MeshException::new));
+        } catch (MeshException _) {
+            return false;
+        }
+    }
+
+    private void tryLibrary(String name) throws IOException {
+        try {
+            Path library = PathsBeside.of(file, name, MeshException::new);
+            InputFile.check(library);
+            readLibrary(library);
+        } catch (ClosedByInterruptException canceled) {
+            throw canceled;
+        } catch (MeshException refused) {
+            warnings.add("material library: " + refused.getMessage());
+        } catch (IOException unreadable) {
+            warnings.add("material library " + Shown.text(name) + ": " + SystemReason.of(unreadable));
         }
     }
 
     private void readLibrary(Path library) throws IOException {
         if (++libraries > MAX_LIBRARIES) {
-            throw text.failure("more than " + MAX_LIBRARIES + " material libraries");
+            throw new IOException("more than " + MAX_LIBRARIES + " material libraries");
         }
         try (FileChannel channel = FileChannel.open(library, StandardOpenOption.READ)) {
             Bytes content = Bytes.of(library, channel);
+            if (content.startsWith(GitLfs.START)) {
+                throw new IOException(GitLfs.PROBLEM);
+            }
             if (content.length() > MAX_LIBRARY_BYTES) {
-                throw content.failure(content.length() + " bytes; at most " + MAX_LIBRARY_BYTES + " are read");
+                throw new IOException(content.length() + " bytes; at most " + MAX_LIBRARY_BYTES + " are read");
             }
             new MtlReader(library, content, warnings).read().forEach(defined::putIfAbsent);
         }

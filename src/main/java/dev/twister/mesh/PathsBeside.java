@@ -21,7 +21,7 @@ final class PathsBeside {
         boolean above = ("/" + slashed + "/").contains("/../");
         if (absolute || above || slashed.isBlank()) {
             throw failure.apply("the path " + Shown.text(name)
-                    + " is refused; name a file in this file's folder or below" + " by a relative path without '..'");
+                    + " is refused; name a file in this file's folder or below by a relative path without '..'");
         }
         try {
             return file.resolveSibling(Path.of(slashed).normalize());

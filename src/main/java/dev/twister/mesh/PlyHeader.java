@@ -16,7 +16,6 @@ import java.util.Optional;
 record PlyHeader(Optional<ByteOrder> order, List<Element> elements, Optional<String> texture) {
     private static final int MAX_PROPERTIES = 1000;
     private static final int MAX_ELEMENTS = 100;
-    private static final String EXPECTED = "expected a header of lines like 'element vertex 8' up to 'end_header'";
 
     /** A kind of element and the number of its instances. */
     record Element(String name, long count, List<Property> properties) {
@@ -49,7 +48,7 @@ record PlyHeader(Optional<ByteOrder> order, List<Element> elements, Optional<Str
     record Property(String name, PlyType type, Optional<PlyType> count) {}
 
     /** Reads the header; leaves the cursor at the first element. */
-    static PlyHeader read(TextCursor text) throws IOException {
+    static PlyHeader read(TextCursor text, Warnings warnings) throws IOException {
         text.skipLine();
         Optional<ByteOrder> order = Optional.empty();
         Optional<String> texture = Optional.empty();
@@ -80,7 +79,8 @@ record PlyHeader(Optional<ByteOrder> order, List<Element> elements, Optional<Str
                     return new PlyHeader(order, elements, texture);
                 }
                 case "obj_info", "" -> {}
-                default -> throw text.failure(Shown.text(keyword) + "; " + EXPECTED);
+                // Some programs write comments without their keyword.
+                default -> warnings.add("header line " + Shown.text(keyword) + " is not read");
             }
             text.skipLine();
         }

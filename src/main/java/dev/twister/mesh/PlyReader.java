@@ -26,7 +26,7 @@ final class PlyReader {
 
     MeshFile read() throws IOException {
         TextCursor text = new TextCursor(bytes);
-        PlyHeader header = PlyHeader.read(text);
+        PlyHeader header = PlyHeader.read(text, warnings);
         PlyValues values = header.order()
                 .map(order -> PlyValues.binary(bytes, text.position(), order))
                 .orElseGet(() -> PlyValues.text(text));
@@ -41,8 +41,9 @@ final class PlyReader {
             }
         }
         addStrips(soup);
+        soup.warnOfUnusable(warnings);
         Optional<Path> texture = header.texture().isPresent() && soup.textureCoordinates.size() > 0
-                ? TextureFiles.usable(PathsBeside.of(file, header.texture().get(), bytes::failure), warnings)
+                ? TextureFiles.beside(file, header.texture().get(), warnings)
                 : Optional.empty();
         return MeshAssembly.assemble(soup, Axes.Y_UP, smoothDegrees)
                 .file("", bytes, Material.DEFAULT.withTexture(texture));
@@ -80,12 +81,14 @@ final class PlyReader {
         double[] row = new double[element.properties().size()];
         for (long vertex = 0; vertex < element.count(); vertex++) {
             readRow(element, values, row);
-            for (int place : places) {
-                if (!MeshLimits.isCoordinate(row[place])) {
-                    throw values.failure("vertex " + vertex + ": " + MeshLimits.badCoordinate(row[place]));
-                }
+            double x = row[places[0]];
+            double y = row[places[1]];
+            double z = row[places[2]];
+            if (MeshLimits.areCoordinates(x, y, z)) {
+                soup.position(x, y, z);
+            } else {
+                soup.missingPosition();
             }
-            soup.position(row[places[0]], row[places[1]], row[places[2]]);
             if (smooth) {
                 soup.normal(row[normals[0]], row[normals[1]], row[normals[2]]);
             }

@@ -46,6 +46,7 @@ final class StlReader {
         } else {
             name = readText();
         }
+        soup.warnOfUnusable(warnings);
         return MeshAssembly.assemble(soup, Axes.Z_UP, smoothDegrees).file(name, bytes, Material.DEFAULT);
     }
 
@@ -53,7 +54,10 @@ final class StlReader {
         int count = (int) Math.min(TEXT_START, bytes.length());
         String start = new String(bytes.copy(0, count), StandardCharsets.ISO_8859_1).toLowerCase(Locale.ROOT);
         return start.stripLeading().startsWith("solid")
-                && (bytes.length() < TRIANGLES_AT || start.contains("facet") || start.contains("endsolid"));
+                && (bytes.length() < TRIANGLES_AT
+                        || start.contains("facet")
+                        || start.contains("endsolid")
+                        || start.contains("end solid"));
     }
 
     private void readBinary() throws IOException {
@@ -62,11 +66,11 @@ final class StlReader {
                 TRIANGLES_AT,
                 "the header; STL has 84 bytes before its triangles, or is text that starts with 'solid'");
         long count = count(bytes);
-        if (count > (bytes.length() - TRIANGLES_AT) / TRIANGLE_BYTES) {
-            throw bytes.failure(
-                    COUNT_AT,
-                    "truncated, or not STL: the header says " + count + " triangles, but the file holds "
-                            + (bytes.length() - TRIANGLES_AT) / TRIANGLE_BYTES + "; get or export it again");
+        long held = (bytes.length() - TRIANGLES_AT) / TRIANGLE_BYTES;
+        boolean wrongCount = count == 0 || count > held;
+        if (wrongCount) {
+            warnings.add("the header says " + count + " triangles, but the file holds " + held + ", which are read");
+            count = held;
         }
         if (count > MeshLimits.TRIANGLES) {
             throw bytes.failure(MeshLimits.tooManyTriangles(count));
@@ -76,23 +80,31 @@ final class StlReader {
         }
         for (int triangle = 0; triangle < count; triangle++) {
             long at = TRIANGLES_AT + (long) TRIANGLE_BYTES * triangle + NORMAL_BYTES;
-            int a = vertexAt(at);
-            int b = vertexAt(at + 12);
-            soup.triangle(a, b, vertexAt(at + 24));
+            int a = vertexAt(at, wrongCount);
+            int b = vertexAt(at + 12, wrongCount);
+            soup.triangle(a, b, vertexAt(at + 24, wrongCount));
         }
         StlColors.read(bytes, (int) count, soup);
     }
 
-    private int vertexAt(long at) throws IOException {
+    /** @param doubtful whether the file may not be STL at all */
+    private int vertexAt(long at, boolean doubtful) throws IOException {
         float x = bytes.floatAt(at, ByteOrder.LITTLE_ENDIAN);
         float y = bytes.floatAt(at + 4, ByteOrder.LITTLE_ENDIAN);
         float z = bytes.floatAt(at + 8, ByteOrder.LITTLE_ENDIAN);
-        for (float value : new float[] {x, y, z}) {
-            if (!MeshLimits.isCoordinate(value)) {
-                throw bytes.failure(at, MeshLimits.badCoordinate(value));
-            }
+        boolean usable = MeshLimits.areCoordinates(x, y, z);
+        if (doubtful && !usable) {
+            throw bytes.failure(
+                    COUNT_AT,
+                    "truncated, or not STL: the number of triangles does not match the length,"
+                            + " and the coordinates at byte " + at + " are not numbers from -1e9 to 1e9");
         }
-        return vertices.of(x, y, z);
+        return usable ? vertices.of(x, y, z) : missing();
+    }
+
+    private int missing() {
+        soup.missingPosition();
+        return soup.vertices() - 1;
     }
 
     private String readText() throws IOException {
@@ -104,6 +116,11 @@ final class StlReader {
                 case "facet" -> readFacet(text);
                 // A file may contain several solids.
                 case "solid", "endsolid" -> text.skipLine();
+                case "end" -> {
+                    expect(text, "solid");
+                    text.skipLine();
+                    warnings.add("'end solid' is read as 'endsolid'");
+                }
                 default -> throw text.failure(Shown.text(word) + "; expected facet or endsolid");
             }
         }
@@ -129,13 +146,11 @@ final class StlReader {
         expect(text, "vertex");
         float[] position = new float[3];
         for (int axis = 0; axis < 3; axis++) {
-            double value = text.number();
-            if (!MeshLimits.isCoordinate(value)) {
-                throw text.failure(MeshLimits.badCoordinate(value));
-            }
-            position[axis] = (float) value;
+            position[axis] = (float) text.number();
         }
-        return vertices.of(position[0], position[1], position[2]);
+        return MeshLimits.areCoordinates(position[0], position[1], position[2])
+                ? vertices.of(position[0], position[1], position[2])
+                : missing();
     }
 
     private static void expect(TextCursor text, String word) throws IOException {

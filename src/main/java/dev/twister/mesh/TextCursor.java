@@ -233,7 +233,12 @@ final class TextCursor {
         if (word.matches("[+-]?(nan|inf).*|.*#(qnan|snan|ind|inf).*")) {
             return Double.NaN;
         }
-        throw unexpected(start, "a number");
+        // As in 1,5, or with a comma after the number.
+        throw unexpected(
+                start,
+                word.matches("[+-]?\\d*,\\d+.*")
+                        ? "a number with a decimal point, not a decimal comma; export it with points"
+                        : "a number");
     }
 
     private String text(long start) throws IOException {

@@ -1,8 +1,12 @@
 package dev.twister.mesh;
 
+import dev.twister.files.GitLfs;
 import dev.twister.files.InputFile;
+import dev.twister.files.SystemReason;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.channels.ClosedByInterruptException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -12,31 +16,51 @@ import java.util.Optional;
 final class TextureFiles {
     private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G'};
     private static final byte[] JPEG = {(byte) 0xff, (byte) 0xd8, (byte) 0xff};
+    private static final byte[] GIT_LFS = GitLfs.START.getBytes(StandardCharsets.US_ASCII);
+    private static final String WITHOUT = "; rendered without it";
 
     private TextureFiles() {}
 
-    /** The file itself; empty, with a warning, if it does not exist or is neither PNG nor JPEG. */
-    static Optional<Path> usable(Path texture, Warnings warnings) throws IOException {
-        String name = "texture " + Shown.path(texture);
-        Optional<String> problem = InputFile.problem(texture);
-        if (problem.isPresent()) {
-            warnings.add(name + ": " + problem.get() + "; rendered without it");
-            return Optional.empty();
+    /**
+     * A texture by its name in a file; empty, with a warning, if it is not beside the file, cannot be read or is
+     * neither PNG nor JPEG.
+     *
+     * @param file the referring file
+     */
+    static Optional<Path> beside(Path file, String name, Warnings warnings) throws IOException {
+        try {
+            Path texture = PathsBeside.of(file, name, MeshException::new);
+            checkFile(texture);
+            return Optional.of(texture);
+        } catch (ClosedByInterruptException canceled) {
+            throw canceled;
+        } catch (MeshException problem) {
+            warnings.add("texture: " + problem.getMessage() + WITHOUT);
+        } catch (IOException problem) {
+            warnings.add("texture " + Shown.text(name) + ": " + SystemReason.of(problem) + WITHOUT);
         }
-        byte[] start;
-        try (InputStream in = Files.newInputStream(texture)) {
-            start = in.readNBytes(PNG.length);
-        }
-        if (!isPicture(start)) {
-            warnings.add(name + ": neither PNG nor JPEG; rendered without it");
-            return Optional.empty();
-        }
-        return Optional.of(texture);
+        return Optional.empty();
     }
 
-    /** Whether bytes start with the signature of PNG or JPEG. */
-    static boolean isPicture(byte[] bytes) {
-        return startsWith(bytes, PNG) || startsWith(bytes, JPEG);
+    private static void checkFile(Path texture) throws IOException {
+        InputFile.check(texture);
+        try (InputStream in = Files.newInputStream(texture)) {
+            check(in.readNBytes(GIT_LFS.length));
+        }
+    }
+
+    /**
+     * Checks that bytes start with the signature of PNG or JPEG.
+     *
+     * @throws IOException that says what they are instead
+     */
+    static void check(byte[] bytes) throws IOException {
+        if (startsWith(bytes, GIT_LFS)) {
+            throw new IOException(GitLfs.PROBLEM);
+        }
+        if (!startsWith(bytes, PNG) && !startsWith(bytes, JPEG)) {
+            throw new IOException("neither PNG nor JPEG");
+        }
     }
 
     private static boolean startsWith(byte[] bytes, byte[] start) {

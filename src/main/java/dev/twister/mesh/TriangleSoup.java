@@ -43,6 +43,8 @@ final class TriangleSoup {
     /** Material number per triangle; empty if all are 0. */
     final IntList materialOf = new IntList();
 
+    private int unusablePositions;
+
     /** With initial capacity for a number of vertices and triangles. */
     TriangleSoup(int vertices, int triangles) {
         positions = new FloatList(3 * vertices);
@@ -63,6 +65,20 @@ final class TriangleSoup {
         positions.add((float) x);
         positions.add((float) y);
         positions.add((float) z);
+    }
+
+    /** Adds a position that the file spoils; triangles with it are dropped as degenerate. */
+    void missingPosition() {
+        unusablePositions++;
+        position(Double.NaN, Double.NaN, Double.NaN);
+    }
+
+    /** Warns of positions that the file spoils. */
+    void warnOfUnusable(Warnings warnings) {
+        if (unusablePositions > 0) {
+            warnings.add("vertices with coordinates that are not numbers from -1e9 to 1e9: " + unusablePositions
+                    + "; not read, nor triangles with them");
+        }
     }
 
     /** Adds a normal of any length; a zero or non-finite one counts as missing. */
@@ -89,12 +105,11 @@ final class TriangleSoup {
         furtherCoordinates.get(set - 1).add(usable(v));
     }
 
-    /** Adds a linear color; values outside [0, 1] are clamped. */
+    /** Adds a linear color; values outside [0, 1] are clamped, unusable ones become 0. */
     void color(double red, double green, double blue, double opacity) {
-        colors.add((float) Math.clamp(red, 0.0, 1.0));
-        colors.add((float) Math.clamp(green, 0.0, 1.0));
-        colors.add((float) Math.clamp(blue, 0.0, 1.0));
-        colors.add((float) Math.clamp(opacity, 0.0, 1.0));
+        for (double value : new double[] {red, green, blue, opacity}) {
+            colors.add(value >= 0 ? (float) Math.min(value, 1) : 0);
+        }
     }
 
     /** Gives all corners of the triangles from a number on the last color added. */

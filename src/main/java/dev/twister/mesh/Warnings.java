@@ -4,9 +4,9 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.function.Consumer;
 
-/** Reports unsupported features of a file: each once, as one line with the file's name, up to a limit. */
+/** Reports unsupported features and faults of a file: each once, as one line with the file's name, up to a limit. */
 final class Warnings {
-    private static final int MOST = 20;
+    private static final int MOST = 200;
 
     private final String name;
     private final Consumer<String> listener;
@@ -18,8 +18,15 @@ final class Warnings {
     }
 
     void add(String warning) {
-        if (said.size() < MOST && said.add(warning)) {
-            listener.accept(name + ": " + warning);
+        if (said.size() <= MOST && said.add(warning)) {
+            listener.accept(name + ": " + (said.size() > MOST ? "further warnings are left out" : warning));
         }
+    }
+
+    /** Adds a problem that does not prevent the rest of the file from being read. */
+    void add(MeshException problem, String consequence) {
+        String message = problem.getMessage();
+        String start = name + ": ";
+        add((message.startsWith(start) ? message.substring(start.length()) : message) + consequence);
     }
 }

@@ -2,11 +2,15 @@ package dev.twister.sky;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.Optional;
 
 /** A PNG or JPEG file, looked through before it is decoded. */
 interface EncodedImage {
     /** What its decoder is to read. */
     InputStream decodable();
+
+    /** How its samples become RGB, if they are inks, which the decoder leaves as they are. */
+    Optional<CmykColors> cmyk();
 
     /** What the file says of its samples. */
     ImageMeaning meaning();

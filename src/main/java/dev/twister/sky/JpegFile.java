@@ -34,6 +34,7 @@ final class JpegFile implements EncodedImage {
     private static final String PROFILE = "ICC_PROFILE\0";
     private static final String ADOBE = "Adobe";
     private static final int ADOBE_YCBCR = 1;
+    private static final int ADOBE_YCCK = 2;
 
     /**
      * A block of 8 x 8 texels takes a bit at the very least, in progressive files; that is 512 texels a byte. Twice
@@ -52,6 +53,7 @@ final class JpegFile implements EncodedImage {
     private final JpegProfile profile = new JpegProfile();
     private final List<Segment> profileSegments = new ArrayList<>();
     private final ImageMeaning meaning;
+    private final Optional<CmykColors> cmyk;
     private final List<Segment> hidden = new ArrayList<>();
     private Optional<byte[]> exif = Optional.empty();
     private Optional<Segment> adobe = Optional.empty();
@@ -70,10 +72,15 @@ final class JpegFile implements EncodedImage {
         this.file = file;
         readSegments();
         int channels = scans.channels();
-        if (channels == 4) {
-            throw new IOException("a CMYK image; RGB and gray ones are read");
+        cmyk = channels == 4
+                ? Optional.of(new CmykColors(adobe.isPresent(), adobeTransform == ADOBE_YCCK))
+                : Optional.empty();
+        if (cmyk.isPresent()) {
+            warnings.accept("a CMYK image; converted to RGB without a color profile");
+            hidden.addAll(profileSegments);
         }
-        ColorEncoding colors = profile.isPresent() ? profiled(channels, warnings) : CurveEncoding.SRGB;
+        ColorEncoding colors =
+                profile.isPresent() && cmyk.isEmpty() ? profiled(channels, warnings) : CurveEncoding.SRGB;
         boolean contradiction = jfif ? adobeTransform != ADOBE_YCBCR : adobeTransform > ADOBE_YCBCR;
         if (channels == 3 && contradiction) {
             adobe.ifPresent(hidden::add);
@@ -96,6 +103,11 @@ final class JpegFile implements EncodedImage {
             parts.add(new ByteArrayInputStream(new byte[] {(byte) 0xff, (byte) END_OF_IMAGE}));
         }
         return new SequenceInputStream(Collections.enumeration(parts));
+    }
+
+    @Override
+    public Optional<CmykColors> cmyk() {
+        return cmyk;
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -55,7 +56,9 @@ final class OrdinaryImageReader {
         encoded.checkTexels((long) width * height);
         List<String> complaints = new ArrayList<>();
         reader.addIIOReadWarningListener((source, complaint) -> complaints.add(complaint));
-        BufferedImage image = attempt(format, () -> reader.read(0));
+        Optional<CmykColors> cmyk = encoded.cmyk();
+        BufferedImage image =
+                attempt(format, () -> cmyk.isPresent() ? cmyk.get().rgb(reader.readRaster(0, null)) : reader.read(0));
         // libjpeg fills what is missing with gray and only warns.
         if (complaints.stream().anyMatch(OrdinaryImageReader::saysTruncated)) {
             throw new IOException("the " + format + " ends before its last texel");

@@ -78,6 +78,11 @@ final class PngFile implements EncodedImage {
     }
 
     @Override
+    public Optional<CmykColors> cmyk() {
+        return Optional.empty();
+    }
+
+    @Override
     public ImageMeaning meaning() {
         int orientation = ancillary("eXIf").map(ExifOrientation::of).orElse(ExifOrientation.UPRIGHT);
         return new ImageMeaning(PngColors.of(this, warnings), orientation, isPalette(), transparentColor());

@@ -1,5 +1,6 @@
 package dev.twister.sky;
 
+import dev.twister.files.GitLfs;
 import dev.twister.files.InputFile;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
@@ -69,8 +70,11 @@ public final class SkyboxReader {
         if (RadianceHeader.startsIn(file)) {
             return RadianceReader.read(file);
         }
-        return decodeOrdinary(file, true, warnings)
-                .orElseThrow(() -> unknown(file, "panorama", "Radiance, PNG and JPEG"));
+        Optional<Skybox> ordinary = decodeOrdinary(file, true, warnings);
+        if (ordinary.isEmpty()) {
+            throw unknown(file, "panorama", "Radiance, PNG and JPEG");
+        }
+        return ordinary.get();
     }
 
     /** The picture of a PNG or JPEG; empty where the first bytes are of neither. */
@@ -85,7 +89,10 @@ public final class SkyboxReader {
     }
 
     /** Says that a file's first bytes are of no kind that is read. */
-    static IOException unknown(FileBytes file, String wanted, String kinds) {
+    static IOException unknown(FileBytes file, String wanted, String kinds) throws IOException {
+        if (file.startsWith(GitLfs.START)) {
+            return new IOException(GitLfs.PROBLEM);
+        }
         return new IOException((file.length() > 0 ? "not a " + wanted + " by its first bytes" : "an empty file") + "; "
                 + kinds + " are read");
     }

@@ -2,6 +2,7 @@ package dev.twister.sky;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /** Reads textures: PNG and JPEG pictures, told apart by their first bytes, whatever their names end in. */
@@ -38,7 +39,10 @@ public final class TextureReader {
         if (RadianceHeader.startsIn(file)) {
             throw new IOException("a Radiance picture, but a texture must be PNG or JPEG");
         }
-        return SkyboxReader.decodeOrdinary(file, false, warnings)
-                .orElseThrow(() -> SkyboxReader.unknown(file, "texture", "PNG and JPEG"));
+        Optional<Skybox> ordinary = SkyboxReader.decodeOrdinary(file, false, warnings);
+        if (ordinary.isEmpty()) {
+            throw SkyboxReader.unknown(file, "texture", "PNG and JPEG");
+        }
+        return ordinary.get();
     }
 }

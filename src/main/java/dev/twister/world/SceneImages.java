@@ -18,6 +18,9 @@ import java.util.function.Function;
  * @param textureByFile textures by the path in their material
  */
 public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
+    /** A texture that leaves colors unchanged. */
+    public static final Skybox WHITE = new Skybox(1, 1, new float[] {1, 1, 1});
+
     public SceneImages {
         textureByFile = Map.copyOf(textureByFile);
     }
@@ -57,20 +60,35 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
                         meshes,
                         file -> meshes.embeddedImage(file)
                                 .map(bytes -> TextureReader.read(file, bytes, warnings))
-                                .orElseGet(() -> TextureReader.read(file, warnings))));
+                                .orElseGet(() -> TextureReader.read(file, warnings)),
+                        warnings));
     }
 
     /**
-     * A scene's textures by file, including those of the meshes' own materials, which may be embedded in a mesh file.
+     * A scene's textures by file, including those of the meshes' own materials, which may be embedded in a mesh file;
+     * of those, {@link #WHITE} replaces one that cannot be read.
      *
      * @param reader reads a texture, like {@link TextureReader#read}
-     * @throws SkyException if the reader does; the message includes where the scene file refers to the texture or mesh
+     * @param warnings receives one line for each texture of a mesh's own material that cannot be read
+     * @throws SkyException if the reader does for a texture that the scene file names; the message includes where
      */
-    public static Map<Path, Skybox> textures(Scene scene, SceneMeshes meshes, Function<Path, Skybox> reader) {
+    public static Map<Path, Skybox> textures(
+            Scene scene, SceneMeshes meshes, Function<Path, Skybox> reader, Consumer<String> warnings) {
         Map<Path, Skybox> textures = new HashMap<>(textures(scene, reader));
         meshes.textures(scene)
-                .forEach((file, place) -> textures.computeIfAbsent(file, texture -> texture(texture, place, reader)));
+                .forEach((file, place) ->
+                        textures.computeIfAbsent(file, texture -> textureOrWhite(texture, place, reader, warnings)));
         return textures;
+    }
+
+    private static Skybox textureOrWhite(
+            Path file, String place, Function<Path, Skybox> reader, Consumer<String> warnings) {
+        try {
+            return texture(file, place, reader);
+        } catch (SkyException problem) {
+            warnings.accept(problem.getMessage() + "; rendered without this texture");
+            return WHITE;
+        }
     }
 
     /**

@@ -72,7 +72,7 @@ class ObjReaderTest {
         assertThat(file.parts().get(1).material().texture()).isEmpty();
         assertThat(file.meshes().get(0).textureCoordinates()).contains(1f, 0.75f);
         assertThat(file.meshes().get(1).textureCoordinates()).isEmpty();
-        assertThat(warnings).anyMatch(warning -> warning.contains("none.png: file not found"));
+        assertThat(warnings).anyMatch(warning -> warning.contains("'none.png': file not found"));
     }
 
     @Test

@@ -10,12 +10,23 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class JpegFileTest {
+    /** 16 x 16 red texels in inverted inks, as Adobe's programs write them. */
+    private static final String CMYK =
+            "/9j/7gAOQWRvYmUAZAAAAAAA/9sAQwAIBgYHBgUIBwcHCQkICgwUDQwLCwwZEhMPFB0aHx4dGhwcICQu"
+                    + "JyAiLCMcHCg3KSwwMTQ0NB8nOT04MjwuMzQy/8AAFAgAEAAQBEMRAE0RAFkRAEsRAP/EAB8AAAEFAQEB"
+                    + "AQEBAAAAAAAAAAABAgMEBQYHCAkKC//EALUQAAIBAwMCBAMFBQQEAAABfQECAwAEEQUSITFBBhNRYQci"
+                    + "cRQygZGhCCNCscEVUtHwJDNicoIJChYXGBkaJSYnKCkqNDU2Nzg5OkNERUZHSElKU1RVVldYWVpjZGVm"
+                    + "Z2hpanN0dXZ3eHl6g4SFhoeIiYqSk5SVlpeYmZqio6Slpqeoqaqys7S1tre4ubrCw8TFxsfIycrS09TV"
+                    + "1tfY2drh4uPk5ebn6Onq8fLz9PX29/j5+v/aAA4EQwBNAFkASwAAPwD3+vn+vn+vf6KKKKKKKKKKKK//"
+                    + "2Q==";
+
     private static final float AS_SRGB = 0.2462f;
     private static final float AS_LINEAR = 136 / 255f;
 
@@ -164,16 +175,11 @@ class JpegFileTest {
     }
 
     @Test
-    void refusesCmykByName() {
-        byte[] file = RGB.clone();
-        int frame = 0;
-        while (file[frame] != (byte) 0xff || file[frame + 1] != (byte) 0xc0) {
-            frame++;
-        }
-        file[frame + 3] = (byte) (file[frame + 3] + 3);
-        file[frame + 9] = 4;
-        byte[] cmyk = JpegBytes.inserted(file, frame + 19, new byte[] {4, 0x11, 0});
-        assertThatThrownBy(() -> SkyBytes.read(cmyk)).hasMessage("a CMYK image; RGB and gray ones are read");
+    void readsCmyk() throws IOException {
+        Skybox red = SkyBytes.read(Base64.getDecoder().decode(CMYK), warnings);
+
+        assertThat(red.radiance()).startsWith(1, 0, 0).endsWith(1, 0, 0);
+        assertThat(warnings).singleElement().asString().contains("a CMYK image");
     }
 
     private float red(byte[] file) throws IOException {

@@ -6,6 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
+import dev.twister.mesh.Affine;
+import dev.twister.mesh.MeshFile;
+import dev.twister.mesh.MeshPart;
 import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Material;
@@ -21,6 +24,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -87,6 +91,21 @@ class SceneImagesTest {
 
         assertThat(warnings)
                 .containsExactly(mesh.geometry() + ": no texture coordinates; the texture red.png is not shown");
+    }
+
+    @Test
+    void aDamagedTextureOfAMeshFileIsWhite() throws IOException {
+        Path damaged =
+                Files.write(folder.resolve("damaged.png"), new byte[] {(byte) 0x89, 'P', 'N', 'G', 13, 10, 26, 10});
+        MeshFile cube = MeshShapes.file(MeshShapes.cube());
+        MeshFile box = new MeshFile(
+                cube.meshes(), List.of(new MeshPart("", 0, Affine.IDENTITY, textured(damaged))), Map.of(), 0);
+        Scene scene = Scene.under(sky).withMeshes(List.of(Mesh.of(folder.resolve("box.obj"))));
+
+        SceneImages images = SceneImages.read(scene, SceneMeshes.of(scene, _ -> box), warnings::add);
+
+        assertThat(images.textureByFile()).containsEntry(damaged, SceneImages.WHITE);
+        assertThat(warnings).anyMatch(warning -> warning.contains(damaged + ": "));
     }
 
     @Test

@@ -121,7 +121,7 @@ public final class FastestEngine {
         Engine drawing = openWarming(standIn, id, candidates);
         return new AutoEngine(
                 drawing,
-                new Successor(canceled -> confirmedBeside(drawing, standIn.id(), all, canceled)),
+                new Successor(canceled -> confirmedBeside(List.of(standIn.id(), id), all, canceled)),
                 () -> openUnmeasured(candidates));
     }
 
@@ -134,9 +134,12 @@ public final class FastestEngine {
                 .orElse(standIn);
     }
 
-    /** In the background, finds out whether the current engine is the fastest of all, including devices. */
+    /**
+     * In the background, finds out whether another engine than those that render or warm up already is the fastest of
+     * all, including devices.
+     */
     private Optional<Engine> confirmedBeside(
-            Engine drawing, String standIn, Supplier<List<EngineOffer>> all, BooleanSupplier canceled) {
+            List<String> atWork, Supplier<List<EngineOffer>> all, BooleanSupplier canceled) {
         waiting.await(Successor.WARMING, canceled);
         if (canceled.getAsBoolean()) {
             return Optional.empty();
@@ -144,22 +147,21 @@ public final class FastestEngine {
         List<EngineOffer> candidates = candidates(all.get());
         Optional<String> known = remembered(candidates);
         known.ifPresent(id -> store.write(MachineKey.beforeDevices(candidates), id));
-        return known.or(() -> fastestBeside(drawing, standIn, candidates, canceled))
-                .filter(fastest -> !fastest.equals(drawing.id()) && !canceled.getAsBoolean())
+        return known.or(() -> fastestBeside(candidates, canceled))
+                .filter(fastest -> !atWork.contains(fastest) && !canceled.getAsBoolean())
                 .flatMap(fastest -> Engines.find(candidates, fastest))
                 .flatMap(FastestEngine::opened);
     }
 
     /**
-     * Trials slow down the frames, so only engines that can be the fastest are measured. A stand-in that has been
-     * replaced is slower than its successor.
+     * Trials slow down the frames and are slowed down by them, so {@code parallel} is not measured where there is
+     * another: that one replaces it only when it renders the same frames faster.
      */
-    private Optional<String> fastestBeside(
-            Engine drawing, String standIn, List<EngineOffer> candidates, BooleanSupplier canceled) {
-        boolean beaten = !drawing.id().equals(standIn);
-        List<EngineOffer> rivals = candidates.stream()
-                .filter(offer -> !beaten || !offer.id().equals(standIn))
+    private Optional<String> fastestBeside(List<EngineOffer> candidates, BooleanSupplier canceled) {
+        List<EngineOffer> others = candidates.stream()
+                .filter(offer -> !offer.id().equals(JvmEngines.PARALLEL))
                 .toList();
+        List<EngineOffer> rivals = others.isEmpty() ? candidates : others;
         Optional<String> fastest =
                 rivals.size() == 1 ? Optional.of(rivals.getFirst().id()) : fastestOf(measure(rivals, canceled));
         remember(candidates, fastest, canceled);

@@ -47,6 +47,9 @@ final class Successor implements AutoCloseable {
     private volatile boolean closed;
     private boolean over;
     private boolean started;
+    /** Whether the engine waits for a frame that it would not leave to the kernel. */
+    private boolean declines;
+
     private volatile Optional<FrameInput> newest = Optional.empty();
     private long waitedNanos;
     private Optional<Engine> ready = Optional.empty();
@@ -84,6 +87,7 @@ final class Successor implements AutoCloseable {
             drawnNanos = 0;
         }
         newest = Optional.of(input);
+        notifyAll();
         if (!started) {
             started = true;
             Thread.ofPlatform().daemon().name("twister-warm-up").start(this::warm);
@@ -95,6 +99,7 @@ final class Successor implements AutoCloseable {
         nanosToBeat[(int) (framesToBeat % FRAMES_TO_BEAT)] = nanos / samples;
         framesToBeat++;
         drawnNanos += nanos;
+        notifyAll();
     }
 
     /** With fewer frames than required, a settled or long series is enough. */
@@ -118,7 +123,7 @@ final class Successor implements AutoCloseable {
         long pauseNanos = started ? Math.min(PAUSE_NANOS, patience.toNanos() - waitedNanos) : 0;
         try {
             long leftNanos = pauseNanos;
-            while (ready.isEmpty() && !over && !closed && leftNanos > 0) {
+            while (ready.isEmpty() && !over && !closed && !declines && leftNanos > 0) {
                 TimeUnit.NANOSECONDS.timedWait(this, leftNanos);
                 leftNanos = pauseNanos - (System.nanoTime() - start);
             }
@@ -128,9 +133,9 @@ final class Successor implements AutoCloseable {
         waitedNanos += System.nanoTime() - start;
     }
 
-    /** Whether no engine will become ready. */
+    /** Whether no engine will become ready while frames are like the latest. */
     synchronized boolean isOver() {
-        return over && ready.isEmpty();
+        return (over || declines) && ready.isEmpty();
     }
 
     /** The engine, once it is warm; the caller then owns it. */
@@ -148,6 +153,7 @@ final class Successor implements AutoCloseable {
     @Override
     public synchronized void close() {
         closed = true;
+        notifyAll();
         take().ifPresent(Engine::close);
     }
 
@@ -171,7 +177,7 @@ final class Successor implements AutoCloseable {
         try {
             Trial trial = new Trial(engine, newest.orElseThrow());
             boolean again = true;
-            while (!warm && !closed && (again || !trial.isHopeless())) {
+            while (!warm && awaitUse(engine, trial) && (again || !trial.isHopeless())) {
                 FrameInput now = newest.orElseThrow();
                 if (!Work.of(now).equals(trial.work)) {
                     trial = new Trial(engine, now);
@@ -190,6 +196,31 @@ final class Successor implements AutoCloseable {
         if (warm) {
             offer(engine);
         }
+    }
+
+    /**
+     * Waits while a trial could not show that the engine is faster: it leaves the frame to the kernel, or it is warm
+     * and the current engine has not finished a frame to beat.
+     *
+     * @return false once closed
+     */
+    private synchronized boolean awaitUse(Engine engine, Trial trial) {
+        try {
+            declines = engine.declines(newest.orElseThrow());
+            while (!closed && (declines || (framesToBeat == 0 && trial.frames.areSettled()))) {
+                notifyAll();
+                wait();
+                boolean declined = declines;
+                declines = engine.declines(newest.orElseThrow());
+                if (declined && !declines) {
+                    // Frames rendered meanwhile may have been parts of pictures.
+                    framesToBeat = 0;
+                }
+            }
+        } catch (InterruptedException _) {
+            Thread.currentThread().interrupt();
+        }
+        return !closed;
     }
 
     private synchronized void offer(Engine engine) {
@@ -217,7 +248,9 @@ final class Successor implements AutoCloseable {
         private long spentNanos;
 
         Trial(Engine engine, FrameInput input) {
-            FrameInput small = SettlingFrames.small(input);
+            // One sample per pixel: the time per sample is the same, and a trial of many would take as long as the
+            // frame.
+            FrameInput small = SettlingFrames.small(input).withSamples(0, 1);
             work = Work.of(input);
             frames = new SettlingFrames(engine, small);
             samples = (double) small.width() * small.rows() * small.samplesPerPixel();

@@ -89,6 +89,11 @@ final class VectorEngine implements Engine {
     }
 
     @Override
+    public boolean declines(FrameInput input) {
+        return drawing.declines(input, ways.walk(input));
+    }
+
+    @Override
     public void rest() {
         ways.rest();
     }

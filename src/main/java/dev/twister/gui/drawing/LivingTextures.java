@@ -19,9 +19,6 @@ import java.util.stream.Collectors;
 
 /** The textures of the scene that is drawn. Used only by the drawing thread. */
 final class LivingTextures {
-    /** A white texture, which leaves colors unchanged. */
-    private static final Skybox WHITE = new Skybox(1, 1, new float[] {1, 1, 1});
-
     private final SkyShelf shelf;
     private final Supplier<Optional<Scene>> newest;
     private final Map<Path, String> complaints = new TreeMap<>();
@@ -49,14 +46,15 @@ final class LivingTextures {
         held = SceneImages.textures(
                 scene,
                 meshes,
-                file -> Optional.ofNullable(before.get(file)).orElseGet(() -> read(file, scene, meshes)));
+                file -> Optional.ofNullable(before.get(file)).orElseGet(() -> read(file, scene, meshes)),
+                shelf::warn);
         complaints.keySet().retainAll(held.keySet());
         return held;
     }
 
-    /** Why a texture is not shown. */
+    /** Why textures are not shown. */
     Optional<String> complaint() {
-        return complaints.values().stream().findFirst();
+        return Optional.of(String.join("; ", complaints.values())).filter(all -> !all.isEmpty());
     }
 
     private Skybox read(Path file, Scene scene, SceneMeshes meshes) {
@@ -70,7 +68,7 @@ final class LivingTextures {
         } catch (OutOfMemoryError _) {
             complaints.put(file, file + ": there is not enough memory for this texture");
         }
-        return WHITE;
+        return SceneImages.WHITE;
     }
 
     /** Whether the newest scene, or one of its meshes that have stayed the same, uses the texture. */

@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SequencedMap;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 
 /**
  * The meshes of the scene that is drawn. Files are read on a thread of their own: a request gets what is at hand, and
@@ -94,13 +95,15 @@ public final class MeshShelf {
         });
     }
 
-    /** Why a mesh of the scene is not shown, if one is not. */
+    /** Why meshes of the scene are not shown, if some are not. */
     synchronized Optional<String> complaint(Scene scene) {
-        return scene.meshes().stream()
-                .map(Source::of)
-                .filter(complaints::containsKey)
-                .findFirst()
-                .map(complaints::get);
+        return Optional.of(scene.meshes().stream()
+                        .map(Source::of)
+                        .distinct()
+                        .filter(complaints::containsKey)
+                        .map(complaints::get)
+                        .collect(Collectors.joining("; ")))
+                .filter(all -> !all.isEmpty());
     }
 
     private void startAnew(long newDocument) {

@@ -209,7 +209,8 @@ public final class SkyShelf {
                         file -> meshes.embeddedImage(file)
                                 .map(bytes -> TextureReader.read(file, bytes, warnings::add))
                                 .or(() -> keptTexture(file))
-                                .orElseGet(() -> textureReader.apply(file, warnings::add))));
+                                .orElseGet(() -> textureReader.apply(file, warnings::add)),
+                        warnings::add));
     }
 
     /** Counts how often textures were read again. */

@@ -216,6 +216,39 @@ class AutoEngineTest {
         }
     }
 
+    @Test
+    void oneThatLeavesFramesToTheKernelWaitsForOthers() {
+        CountingEngine fast = new CountingEngine("vector", 99);
+        FrameInput declined = ofShadows(16 * SHADOW_SAMPLES);
+        fast.declined = Optional.of(declined);
+        Successor successor = new Successor(_ -> Optional.of(fast), Duration.ofDays(1));
+        try (Engine auto = new AutoEngine(standIn, successor, () -> another)) {
+            standIn.bands = true;
+            while (!auto.drawsBandsInProportion()) {
+                auto.render(declined, frame);
+            }
+            // Each of these calls would otherwise wait for a fraction of a second.
+            for (int i = 0; i < 1000; i++) {
+                auto.render(declined, frame);
+            }
+            assertThat(auto.id()).isEqualTo("parallel");
+            assertThat(fast.frames).hasValue(0);
+
+            renderUntil(auto, "vector");
+        }
+        assertThat(fast.closed).isOne();
+    }
+
+    @Test
+    void aTrialHasOneSamplePerPixel() throws InterruptedException {
+        CountingEngine slow = new CountingEngine("tornado:0:0", 1000);
+        try (Engine auto = auto(_ -> Optional.of(slow))) {
+            auto.render(input.withSamples(0, 16), frame);
+            slow.awaitFrames(1);
+        }
+        assertThat(slow.lastSamples).isOne();
+    }
+
     /** A light picture by the current engine takes less time than a heavy one by any engine. */
     @Test
     void whatBecomesLighterIsTriedAnew() throws InterruptedException {
@@ -372,6 +405,8 @@ class AutoEngineTest {
         private boolean bands;
         private int nanosPerPixelAtFirst;
         private IntConsumer pauses = _ -> {};
+        private Optional<FrameInput> declined = Optional.empty();
+        private volatile int lastSamples;
         private volatile int lastWidth;
         private volatile int lastHeight;
 
@@ -395,6 +430,7 @@ class AutoEngineTest {
         public void render(FrameInput drawn, Frame into) {
             lastWidth = drawn.width();
             lastHeight = drawn.height();
+            lastSamples = drawn.samplesPerPixel();
             Arrays.fill(into.argb(), id.hashCode());
             int drawnBefore = frames.getAndIncrement();
             pauses.accept(drawnBefore);
@@ -406,6 +442,11 @@ class AutoEngineTest {
         @Override
         public boolean drawsBandsInProportion() {
             return bands;
+        }
+
+        @Override
+        public boolean declines(FrameInput offered) {
+            return declined.equals(Optional.of(offered));
         }
 
         @Override

@@ -170,7 +170,7 @@ class FastestEngineTest {
 
     @Test
     void whatIsCancelledIsNotRemembered() throws InterruptedException {
-        List<EngineOffer> offers = offers("parallel", "tornado:0:0");
+        List<EngineOffer> offers = offers("parallel", "vector", "tornado:0:0");
         CountDownLatch begun = new CountDownLatch(1);
         CountDownLatch cancelledTrials = new CountDownLatch(2);
         FastestEngine fastest = new FastestEngine(

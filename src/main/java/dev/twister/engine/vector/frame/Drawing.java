@@ -80,6 +80,12 @@ public final class Drawing {
         this.declined = declined;
     }
 
+    /** Whether lanes decline the whole frame. */
+    public boolean declines(FrameInput other, boolean walk) {
+        declined.take(other, walk);
+        return declined.isFrame();
+    }
+
     /**
      * Prepares a frame.
      *
