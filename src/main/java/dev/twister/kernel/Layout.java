@@ -164,7 +164,8 @@ public final class Layout {
     public static final int LOOK_EMISSION = 9;
 
     /**
-     * Number of the body's first emitter, from 1 on, negative if only the outer sides of triangles emit; 0 for none.
+     * Number of the body's first emitter, from 1 on, negative if only the outer sides of triangles emit; 0 or -1
+     * without one.
      */
     public static final int LOOK_EMITTER = 12;
 
