@@ -313,15 +313,23 @@ public final class Layout {
     public static final int SCRATCH_LENGTH = SCRATCH_RAYS + RAY_STRIDE * MOST_WAITING_RAYS;
 
     /**
-     * {@code float[] path}, one per thread: the ray; the body that it leaves, whether it continues inside that body (1,
-     * else 0), and that body's triangle; the throughput per channel, which is the part of the radiance found from here
-     * on that reaches the pixel.
+     * {@code float[] path}, one per thread: the ray; the body that it leaves, whether it continues inside that body
+     * (above 0), and that body's triangle; the throughput per channel, which is the part of the radiance found from
+     * here on that reaches the pixel.
      */
     public static final int ORIGIN = 0;
 
     public static final int DIRECTION = 3;
     public static final int LEAVING = 6;
     public static final int INSIDE = 7;
+
+    /**
+     * Values of {@link #INSIDE} of a ray that has crossed the surface that it leaves: it meets other bodies' surfaces
+     * in the same place, such as the table below a glass.
+     */
+    public static final float CROSSED_INTO = 2f;
+
+    public static final float CROSSED_OUT = -1f;
 
     /** The triangle that the ray leaves, if the body is a mesh. */
     public static final int LEAVING_TRIANGLE = 8;
@@ -408,58 +416,64 @@ public final class Layout {
     /** The direction's components along the two other axes divided by the dominant one, and the inverse of that. */
     public static final int MESH_SHEAR = 69;
 
-    /** How much of a metal the surface is, and whether Fresnel's equations decide what it reflects (1, else 0). */
-    public static final int METALLIC = 72;
+    /**
+     * The largest sum of magnitudes of the terms of the origin's coordinates, on which their rounding depends; negative
+     * if the ray meets a surface in which it starts.
+     */
+    public static final int MESH_REACH = 72;
 
-    public static final int IS_FRESNEL = 73;
+    /** How much of a metal the surface is, and whether Fresnel's equations decide what it reflects (1, else 0). */
+    public static final int METALLIC = 73;
+
+    public static final int IS_FRESNEL = 74;
 
     /** With several lights: the body of the one that shades, and the sum of their highlights. */
-    public static final int SHADING_LIGHT = 74;
+    public static final int SHADING_LIGHT = 75;
 
-    public static final int HIGHLIGHT = 75;
+    public static final int HIGHLIGHT = 76;
 
-    public static final int PATH_LENGTH = 78;
+    public static final int PATH_LENGTH = 79;
 
     /** For path tracing: index of refraction on the ray's side divided by that on the other side. */
-    public static final int RATIO = 78;
+    public static final int RATIO = 79;
 
     /** 1 for the plane, which has no inside, else 0. */
-    public static final int IS_SHEET = 79;
+    public static final int IS_SHEET = 80;
 
     /** Weights of the constant reflection, of the dielectric one, of the matte part and of transmission. */
-    public static final int PART_MIRROR = 80;
+    public static final int PART_MIRROR = 81;
 
-    public static final int PART_COAT = 81;
-    public static final int PART_MATTE = 82;
-    public static final int PART_GLASS = 83;
+    public static final int PART_COAT = 82;
+    public static final int PART_MATTE = 83;
+    public static final int PART_GLASS = 84;
 
     /** Probabilities of the lobes. */
-    public static final int CHOICE_MIRROR = 84;
+    public static final int CHOICE_MIRROR = 85;
 
-    public static final int CHOICE_MATTE = 85;
-    public static final int CHOICE_GLASS = 86;
+    public static final int CHOICE_MATTE = 86;
+    public static final int CHOICE_GLASS = 87;
 
     /** {@code f * |cos|} per channel. */
-    public static final int SCATTERED = 87;
+    public static final int SCATTERED = 88;
 
     /** Density per steradian with which the surface chose the path's ray; 0 if it had no choice. */
-    public static final int SURFACE_DENSITY = 90;
+    public static final int SURFACE_DENSITY = 91;
 
     /** The next ray: its direction, and whether it is inside the body (1, else 0). */
-    public static final int NEXT_DIRECTION = 91;
+    public static final int NEXT_DIRECTION = 92;
 
-    public static final int NEXT_INSIDE = 94;
+    public static final int NEXT_INSIDE = 95;
 
     /** Density per steradian of the chosen emitter's direction, its radiance, and what it adds unless blocked. */
-    public static final int LIGHT_DENSITY = 95;
+    public static final int LIGHT_DENSITY = 96;
 
-    public static final int EMITTED = 96;
-    public static final int DIRECT = 99;
+    public static final int EMITTED = 97;
+    public static final int DIRECT = 100;
 
     /** Unit normal of the chosen triangle. */
-    public static final int EMITTER_FACE = 102;
+    public static final int EMITTER_FACE = 103;
 
-    public static final int TRACED_PATH_LENGTH = 105;
+    public static final int TRACED_PATH_LENGTH = 106;
 
     /** The largest reflectivity, that of a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;

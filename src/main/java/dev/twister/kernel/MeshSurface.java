@@ -37,12 +37,23 @@ public final class MeshSurface {
         float z = between(triangle + 2, 3, b, c, meshes);
         int back = instance + Layout.INSTANCE_TO_WORLD;
         path[Layout.POINT] = Instance.point(bodies, back, x, y, z);
-        path[Layout.POINT + 1] = Instance.point(bodies, back + 4, x, y, z);
+        path[Layout.POINT + 1] = onPlane(
+                Instance.point(bodies, back + 4, x, y, z),
+                Instance.reach(bodies, back + 4, x, y, z),
+                bodies[Layout.PLACE_STRIDE * Layout.PLANE + 1]);
         path[Layout.POINT + 2] = Instance.point(bodies, back + 8, x, y, z);
         writeFace(path, Layout.FACE, instance, triangle, bodies, meshes);
         writeNormal(path, instance, triangle, b, c, bodies, meshes);
         writeTexturePlace(path, instance, triangle, b, c, bodies, meshes);
         path[Layout.LEAVING_TRIANGLE] = path[Layout.TRIANGLE];
+    }
+
+    /**
+     * The height of a point: the plane's where rounding cannot tell them apart. A ray that leaves the point does not
+     * meet the plane then, nor does a shadow ray.
+     */
+    private static float onPlane(float y, float reach, float height) {
+        return Math.abs(y - height) <= Triangle.ROUNDING * (reach + Math.abs(height)) ? height : y;
     }
 
     /** Interpolates one coordinate of the corners, which are {@code stride} apart. */

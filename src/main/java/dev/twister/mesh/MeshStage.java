@@ -22,6 +22,9 @@ public final class MeshStage {
     private static final double LARGEST_SIDE = 2;
     private static final double PLANE_SIZE = 20;
 
+    /** Below the mesh, whose own flat bottom is seen, not the plane; a thousandth of the largest side. */
+    private static final double PLANE_HEIGHT = -LARGEST_SIDE / 1000;
+
     /** Few, because each sample traverses the triangles, and the picture at rest is refined. */
     private static final int SHADOW_SAMPLES = 16;
 
@@ -78,7 +81,7 @@ public final class MeshStage {
                 .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
                 .withLights(Lights.of(LIGHT))
                 .withRendering(Rendering.DEFAULT.withShadows(SHADOW_SAMPLES))
-                .withGround(Ground.of(PLANE_SIZE, 0, BRIGHT, DARK, 0))
+                .withGround(Ground.of(PLANE_SIZE, PLANE_HEIGHT, BRIGHT, DARK, 0))
                 .withMeshes(List.of(
                         Mesh.of(file).withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES)));
     }
