@@ -77,7 +77,7 @@ public final class PathTracer {
         }
         if (direct == 0) {
             if (body == Layout.NOTHING) {
-                addSky(path, bounce, frame, looks, images);
+                addSky(path, bounce, frame, looks, images, variant);
             }
             if (body > Layout.NOTHING) {
                 meet(path, body, frame, bodies, looks, meshes, images, variant);
@@ -86,6 +86,7 @@ public final class PathTracer {
             int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
             if (isSurface != 0) {
                 toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
+                Guides.trace(path, variant);
             }
             goesOn = isSurface != 0 ? carriesLight(path) : 0;
             Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
@@ -130,13 +131,14 @@ public final class PathTracer {
         return 1f / (1f + ratio * ratio);
     }
 
-    private static void addSky(float[] path, int bounce, float[] frame, float[] looks, float[] images) {
+    private static void addSky(float[] path, int bounce, float[] frame, float[] looks, float[] images, int variant) {
         float weight = 1f;
         if (path[Layout.SURFACE_DENSITY] > 0f) {
             weight = weight(path[Layout.SURFACE_DENSITY], Emitter.skyDensity(path, frame, looks, images));
         }
         SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
         add(path, weight, bounce > 1 ? 1 : 0, frame);
+        Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
     }
 
     private static void addEmission(
@@ -151,6 +153,7 @@ public final class PathTracer {
                 path[Layout.EMITTED + channel] = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + channel];
             }
             add(path, weight, bounce > 1 ? 1 : 0, frame);
+            Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
         }
     }
 
