@@ -53,7 +53,8 @@ public final class Path {
                 lit = SeveralLights.shade(path, body, 1, scratch, frame, bodies, looks, meshes, variant);
             } else {
                 visible = visible(path, body, scratch, frame, bodies, looks, meshes, variant);
-                lit = Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
+                lit = Illumination.lit(
+                        Illumination.ambient(path, frame, variant), path[Layout.NORMAL_DOT_LIGHT], visible);
             }
             Guides.meet(path, mirror(path, frame), transmission(path, frame, variant), variant);
             int waiting = (int) path[Layout.WAITING];
@@ -99,8 +100,14 @@ public final class Path {
             int variant) {
         Surface.find(path, body, frame, bodies, meshes, variant);
         SurfaceLook.find(path, body, frame, looks, images, variant);
+        if ((variant & Variant.MAPS) != 0) {
+            SurfaceMaps.find(path, body, frame, bodies, looks, meshes, images, variant);
+        }
         if ((variant & Variant.MATERIALS) != 0) {
             Surface.face(path, body, frame, variant);
+        }
+        if ((variant & Variant.MAPS) != 0) {
+            NormalMap.apply(path, body, frame, bodies, looks, meshes, images, variant);
         }
         Illumination.aim(path, Layout.LIGHT, bodies);
     }

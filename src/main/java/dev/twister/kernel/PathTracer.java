@@ -40,6 +40,7 @@ public final class PathTracer {
         int bounce = 0;
         int ray = TO_SURFACE;
         path[Layout.SURFACE_DENSITY] = 0f;
+        path[Layout.RAYS] = 0f;
         while (ray != NO_RAY) {
             int meets = ray == TO_SURFACE ? 1 : 0;
             ray = step(path, bounce, ray, scratch, frame, bodies, looks, meshes, images, variant);
@@ -69,6 +70,9 @@ public final class PathTracer {
         int direct = ray == TO_EMITTER ? 1 : 0;
         float limit = direct != 0 ? path[Layout.LIGHT_DISTANCE] : Intersection.MISS;
         int body = Hit.within(path, limit, scratch, frame, bodies, looks, meshes, variant);
+        if ((variant & Variant.MASKS) != 0) {
+            path[Layout.RAYS] = path[Layout.RAYS] + 1f;
+        }
         int toEmitter = 0;
         int goesOn = 0;
         if (direct != 0) {
@@ -110,7 +114,13 @@ public final class PathTracer {
             int variant) {
         Surface.find(path, body, frame, bodies, meshes, variant);
         SurfaceLook.find(path, body, frame, looks, images, variant);
+        if ((variant & Variant.MAPS) != 0) {
+            SurfaceMaps.find(path, body, frame, bodies, looks, meshes, images, variant);
+        }
         Surface.face(path, body, frame, variant);
+        if ((variant & Variant.MAPS) != 0) {
+            NormalMap.apply(path, body, frame, bodies, looks, meshes, images, variant);
+        }
         int medium = path[Layout.FROM_INSIDE] > 0f ? body : (int) path[Layout.LEAVING];
         if (path[Layout.FROM_INSIDE] + path[Layout.INSIDE] > 0f) {
             absorb(path, Layout.LOOK_STRIDE * medium + Layout.LOOK_ABSORPTION, looks);
@@ -150,7 +160,7 @@ public final class PathTracer {
                         path[Layout.SURFACE_DENSITY], Emitter.density(path, body, frame, bodies, looks, variant));
             }
             for (int channel = 0; channel < 3; channel++) {
-                path[Layout.EMITTED + channel] = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + channel];
+                path[Layout.EMITTED + channel] = Emitter.emission(path, body, channel, looks, variant);
             }
             add(path, weight, bounce > 1 ? 1 : 0, frame);
             Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
@@ -187,7 +197,7 @@ public final class PathTracer {
         Lobes.prepare(path, body, frame, variant);
         int toEmitter = 0;
         if (Lobes.scatters(path) != 0) {
-            Emitter.choose(path, bounce, frame, bodies, looks, meshes, images);
+            Emitter.choose(path, bounce, frame, bodies, looks, meshes, images, variant);
             if (path[Layout.LIGHT_DENSITY] > 0f) {
                 toEmitter = direct(path, bounce, frame);
             }

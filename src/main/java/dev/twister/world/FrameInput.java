@@ -105,11 +105,17 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
     public int variant(boolean linear) {
         return (hasFewSpheres() ? 0 : Variant.WALK)
                 | (bodies.firstMesh() == Layout.NO_MESHES ? 0 : Variant.MESHES)
-                | (bodies.plain() && !tracesPaths() ? 0 : Variant.MATERIALS)
+                | materials()
                 | (tracesPaths() ? Variant.PATH : 0)
                 | (hasSeveralLights() ? Variant.LIGHTS : 0)
                 | (linear ? Variant.LINEAR : 0)
                 | Variant.of(aspect());
+    }
+
+    private int materials() {
+        int none = tracesPaths() ? Variant.MATERIALS : 0;
+        return none
+                | (bodies.firstMesh() == Layout.NO_MESHES ? bodies.materials() & ~Variant.MASKS : bodies.materials());
     }
 
     /**
