@@ -537,17 +537,17 @@ public final class Layout {
     public static final int TRACED_PATH_LENGTH = 123;
 
     /** With {@link Guides}: the sums over the pixel's samples. */
-    public static final int GUIDE_ALBEDO = 105;
+    public static final int GUIDE_ALBEDO = TRACED_PATH_LENGTH;
 
-    public static final int GUIDE_NORMAL = 108;
+    public static final int GUIDE_NORMAL = TRACED_PATH_LENGTH + 3;
 
     /** What the albedo is multiplied by: the tint of the mirrors and glass so far. */
-    public static final int GUIDE_TINT = 111;
+    public static final int GUIDE_TINT = TRACED_PATH_LENGTH + 6;
 
     /** 1 while the sample's guides are looked for, 0 once they are found, -n while they wait for the n-th ray. */
-    public static final int GUIDE_STATE = 114;
+    public static final int GUIDE_STATE = TRACED_PATH_LENGTH + 9;
 
-    public static final int GUIDED_PATH_LENGTH = 115;
+    public static final int GUIDED_PATH_LENGTH = TRACED_PATH_LENGTH + 10;
 
     /** The largest reflectivity, that of a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;
