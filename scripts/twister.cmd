@@ -27,7 +27,7 @@ if not defined sdk if exist "%candidate%\tornado-argfile" set "sdk=%candidate%"
 
 rem Commands that use no engine start faster without the modules and options of the engines.
 set engines="@%TWISTER_HOME%\scripts\engine.options"
-for %%C in (-h --help -V --version explain join scene simulate sky) do if "%~1"=="%%C" set "engines="
+for %%C in (-h --help -V --version denoise explain join scene simulate sky) do if "%~1"=="%%C" set "engines="
 for %%C in (-h --help) do if "%~2"=="%%C" set "engines="
 if not defined engines set "sdk="
 

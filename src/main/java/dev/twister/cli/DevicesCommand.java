@@ -1,6 +1,8 @@
 package dev.twister.cli;
 
 import dev.twister.bench.DeviceCheckPlan;
+import dev.twister.denoise.DenoiserOffer;
+import dev.twister.denoise.Denoisers;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.auto.FastestEngine;
@@ -99,6 +101,11 @@ final class DevicesCommand implements Callable<Integer> {
                 out.println(" ".repeat(idWidth + 4) + offer.obstacle().orElseThrow());
             });
         }
+        out.println();
+        DenoiserOffer denoiser = Denoisers.offer();
+        out.println(denoiser.obstacle()
+                .map(obstacle -> "Pictures cannot be denoised here: " + obstacle + ".")
+                .orElse("Pictures are denoised by " + denoiser.name() + "."));
     }
 
     private static void print(PrintWriter out, EngineOffer offer, int idWidth) {

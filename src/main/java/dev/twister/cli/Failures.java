@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.denoise.DenoiseException;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.UnknownEngineException;
 import dev.twister.files.PrintableText;
@@ -63,6 +64,7 @@ final class Failures {
                     SkyException _,
                     UnknownEngineException _,
                     NoDisplayException _,
+                    DenoiseException _,
                     IOException _ -> say(err, failure);
             case UncheckedIOException wrapped -> say(err, wrapped.getCause());
             case EngineException _ -> {

@@ -1,25 +1,23 @@
 package dev.twister.cli;
 
+import dev.twister.denoise.Denoiser;
+import dev.twister.denoise.DenoiserOffer;
+import dev.twister.denoise.Denoisers;
 import dev.twister.files.InputFile;
 import dev.twister.files.PrintableText;
-import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrExtent;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
-import dev.twister.image.ExrWriter;
-import dev.twister.image.HdrWriter;
 import dev.twister.image.JoinedPicture;
 import dev.twister.image.PictureSize;
-import dev.twister.image.PngWriter;
-import dev.twister.image.Provenance;
+import dev.twister.render.DenoisedPicture;
 import dev.twister.scene.Rendering;
-import dev.twister.world.AutoExposure;
-import dev.twister.world.TonedPixels;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -37,12 +35,10 @@ import picocli.CommandLine.Spec;
             "",
             "Examples:",
             "  twister join tile-1.exr tile-2.exr tile-3.exr -o picture.exr",
-            "  twister join samples-*.exr -o picture.png --exposure 1"
+            "  twister join samples-*.exr -o picture.png --exposure 1",
+            "  twister join samples-*.exr -o picture.exr --denoise"
         })
 final class JoinCommand implements Callable<Integer> {
-    private static final int CHANNELS = 3;
-    private static final String COLORS = "RGB";
-
     @Spec
     private CommandSpec spec;
 
@@ -56,24 +52,29 @@ final class JoinCommand implements Callable<Integer> {
             description = "The picture: .exr keeps all channels; .hdr and .png keep the colors.")
     private Path output;
 
+    @Option(
+            names = "--denoise",
+            description = "Remove the noise by the library Open Image Denoise, best of parts rendered with --guides.")
+    private boolean denoise;
+
     @Mixin
     private ToneOptions tone;
 
     @Override
     public Integer call() throws IOException {
-        if (List.of(".exr", ".hdr", ".png").stream().noneMatch(ending -> OutputFile.endsIn(output, ending))) {
-            throw new BadInputException("--output is " + output + ", but must end in .exr, .hdr or .png");
-        }
+        LinearPictureFile.check(output);
         Rendering settings = tone.over(Rendering.DEFAULT);
-        OutputFile.check("--output", output);
         for (Path part : parts) {
             InputFile.problem(part).ifPresent(problem -> {
                 throw new BadInputException(part + ": " + problem);
             });
         }
         OutputFile.checkKeeps("--output", output, parts);
-        ExrPicture picture = joined();
-        write(picture, settings);
+        Optional<DenoiserOffer> offer = denoise ? Optional.of(Denoisers.offer()) : Optional.empty();
+        offer.ifPresent(DenoiserOffer::check);
+        ExrPicture joined = joined();
+        ExrPicture picture = offer.map(found -> denoised(joined, found)).orElse(joined);
+        LinearPictureFile.write(output, picture, settings, tone);
         spec.commandLine()
                 .getOut()
                 .printf(
@@ -86,6 +87,17 @@ final class JoinCommand implements Callable<Integer> {
                         parts.size() == 1 ? "part" : "parts",
                         picture.provenance().orElseThrow().samples());
         return ExitCode.OK;
+    }
+
+    private ExrPicture denoised(ExrPicture picture, DenoiserOffer offer) {
+        try (Denoiser denoiser = offer.opener().get()) {
+            DenoisedPicture denoised = DenoisedPicture.of(picture, denoiser);
+            DenoisingNotes.print(
+                    denoised, parts.getFirst().toString(), spec.commandLine().getErr());
+            return denoised.picture();
+        } catch (IllegalArgumentException problem) {
+            throw new BadInputException(parts.getFirst() + " " + problem.getMessage());
+        }
     }
 
     private ExrPicture joined() throws IOException {
@@ -108,35 +120,5 @@ final class JoinCommand implements Callable<Integer> {
         } catch (IllegalArgumentException problem) {
             throw new BadInputException(problem.getMessage());
         }
-    }
-
-    private void write(ExrPicture picture, Rendering settings) throws IOException {
-        Provenance made = picture.provenance().orElseThrow();
-        if (OutputFile.endsIn(output, ".exr")) {
-            ExrWriter.write(output, picture);
-        } else if (OutputFile.endsIn(output, ".hdr")) {
-            HdrWriter.write(output, picture.width(), picture.height(), radiance(picture), made);
-        } else {
-            float[] radiance = radiance(picture);
-            int[] pixels = TonedPixels.of(
-                    radiance, tone.metered(settings, () -> AutoExposure.stops(radiance, settings.srgb())));
-            PngWriter.write(output, picture.width(), picture.height(), pixels, settings.srgb(), made);
-        }
-    }
-
-    private float[] radiance(ExrPicture picture) {
-        float[] radiance = new float[CHANNELS * picture.width() * picture.height()];
-        for (int color = 0; color < CHANNELS; color++) {
-            String name = COLORS.substring(color, color + 1);
-            ExrChannel channel = picture.channels().stream()
-                    .filter(each -> each.name().equals(name))
-                    .findFirst()
-                    .orElseThrow(() -> new BadInputException(
-                            "the parts have no channel " + name + ", only numbers; give an .exr file as --output"));
-            for (int i = 0; i < channel.values().length; i++) {
-                radiance[CHANNELS * i + color] = channel.values()[i];
-            }
-        }
-        return radiance;
     }
 }

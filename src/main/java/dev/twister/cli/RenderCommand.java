@@ -46,6 +46,7 @@ import picocli.CommandLine.Spec;
             "  twister render my-scene.json -o large.png --size 4k --samples 16 --tone-map aces",
             "  twister render mirrors -o mirrors.hdr --engine tornado",
             "  twister render metals -o metals.png --noise 0.01 --exposure auto",
+            "  twister render cornell -o cornell.png --samples 16 --denoise",
             "  twister render benchmark -o left.png --camera -12,-6,-10 --yaw 40 --fov 60",
             "  twister render benchmark -o diffuse.png --stage diffuse",
             "  twister render benchmark -o shot.exr --view beauty,normal,depth,albedo",
@@ -119,6 +120,9 @@ final class RenderCommand implements Callable<Integer> {
     private PartOptions part;
 
     @Mixin
+    private DenoisingOptions denoising;
+
+    @Mixin
     private ProgressOptions progress;
 
     @Override
@@ -126,6 +130,7 @@ final class RenderCommand implements Callable<Integer> {
         film.check(motion);
         samples.check(picture.pictures());
         part.check(output, samples);
+        denoising.check(output, picture.pictures(), part);
         PictureOutput.checkPlace(output);
         Path file = SceneFiles.find(sceneName);
         Scene scene = sky.over(SceneReader.read(file));
@@ -159,7 +164,7 @@ final class RenderCommand implements Callable<Integer> {
                 new Sampling(part.samplesOr(usual.samples()), usual.noise()),
                 part.part(),
                 film.movement(scene, from, motion, recorded, frames.isPresent()),
-                tone.isMetered(),
+                denoising.finishing(tone.isMetered()),
                 output(frames));
     }
 

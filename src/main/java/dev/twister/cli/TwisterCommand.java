@@ -19,6 +19,7 @@ import picocli.CommandLine.ScopeType;
             ExplainCommand.class,
             FiguresCommand.class,
             JoinCommand.class,
+            DenoiseCommand.class,
             FilmCommand.class,
             BenchmarkCommand.class,
             DevicesCommand.class,

@@ -128,6 +128,7 @@ final class HelpWindows {
                 .add(table(
                         "Panel: go to a control, then use the arrow keys",
                         rows.stream()
+                                .filter(row -> !row.keys().getDisplayText().isEmpty())
                                 .map(row -> new KeyLine(row.keys().getDisplayText(), row.name()))
                                 .toList()));
         return page;

@@ -40,6 +40,12 @@ record GltfPosed(GltfMorph places, GltfMorph normals, Optional<Skinned> skin) {
         return skin.isPresent() ? movement(vertex).normal(normal) : normal;
     }
 
+    /** The direction of a tangent. */
+    Vector3 tangent(GltfAccessor tangents, int vertex) throws IOException {
+        Vector3 tangent = vector(tangents, vertex);
+        return skin.isPresent() ? movement(vertex).direction(tangent).normalized() : tangent;
+    }
+
     private Affine movement(int vertex) throws IOException {
         Skinned skinned = skin.orElseThrow();
         return skinned.skin().movement(skinned.binding(), vertex);

@@ -7,7 +7,7 @@ import dev.twister.scene.Rgb;
 import java.util.List;
 
 /** How bright a light is in path tracing. */
-final class LightStrength {
+public final class LightStrength {
     private LightStrength() {}
 
     /** The radiance of each light's surface: {@code color * strength / radius^2}. */
@@ -24,10 +24,10 @@ final class LightStrength {
     }
 
     /**
-     * The squared distance of the nearest point of the ground, at least 1 m^2: a white surface there that faces the
-     * light is as bright as the light's color, as it is without path tracing.
+     * The strength of a light that states none: the squared distance of the nearest point of the ground, at least 1
+     * m^2: a white surface there that faces the light is as bright as the light's color, as it is without path tracing.
      */
-    private static double usual(Light light, Ground ground) {
+    public static double usual(Light light, Ground ground) {
         double half = ground.size() / 2;
         double x = light.position().x() - Math.clamp(light.position().x(), -half, half);
         double y = light.position().y() - ground.height();

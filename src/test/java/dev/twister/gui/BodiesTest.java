@@ -16,6 +16,7 @@ import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.kernel.Layout;
+import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -538,6 +539,24 @@ class BodiesTest {
         assertThat(driver.notice()).isEqualTo("The last light can't be deleted; a scene has at least one");
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
+    }
+
+    @Test
+    void aLightIsDuplicatedBesideASphere() {
+        driver.run(() -> driver.studio.selection().select(List.of(Layout.LIGHT, MIDDLE)));
+        Scene before = scene();
+        driver.type(Command.DUPLICATE.keys());
+        Light first = before.lights().first();
+        Light copy = scene().lights().get(1);
+        assertThat(copy.withPosition(first.position())).isEqualTo(first);
+        assertThat(copy.position().x()).isGreaterThan(first.position().x());
+        assertThat(scene().spheres()).hasSize(before.spheres().size() + 1);
+        assertThat(bodies().bodies())
+                .containsExactlyInAnyOrder(
+                        BodyNumber.ofLight(1),
+                        BodyNumber.ofSphere(before.spheres().size()));
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(before);
     }
 
     @Test

@@ -234,7 +234,8 @@ public final class WindowDriver implements AutoCloseable {
     /** Waits until the picture is as fine as it gets and is on the screen. */
     DrawnPicture awaitRest() {
         long asked = call(studio::lastRequest);
-        DrawnPicture rest = awaitPicture(picture -> picture.request().number() >= asked
+        DrawnPicture rest = awaitPicture(picture -> picture.isWhole()
+                && picture.request().number() >= asked
                 && picture.samples() == picture.request().refineTo());
         pulse();
         pulse();

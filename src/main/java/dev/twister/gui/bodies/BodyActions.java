@@ -21,7 +21,6 @@ import java.util.Optional;
 /** The menu's actions on bodies. */
 public final class BodyActions {
     public static final String UNDELETED_LIGHT = "The last light can't be deleted; a scene has at least one";
-    private static final String UNCOPIED_LIGHT = "The other bodies are copied; lights can't be";
 
     private final Studio studio;
     private final Errands errands;
@@ -34,7 +33,7 @@ public final class BodyActions {
 
     public void insert() {
         studio.pictureProperty().get().ifPresent(shown -> {
-            studio.insert("insert sphere", List.of(NewSphere.inFrontOf(shown.input(), studio.scene())));
+            studio.insert("insert sphere", List.of(NewSphere.inFrontOf(shown.input(), studio.scene())), List.of());
         });
     }
 
@@ -43,37 +42,29 @@ public final class BodyActions {
                 .get()
                 .ifPresent(shown -> studio.insert(
                         "insert " + Shape.of(kind, 1).name(),
-                        List.of(NewMesh.inFrontOf(shown.input(), studio.scene(), kind))));
+                        List.of(NewMesh.inFrontOf(shown.input(), studio.scene(), kind)),
+                        List.of()));
     }
 
     public void insertLight() {
-        if (studio.scene().lights().count() == SceneLimits.MAX_LIGHTS) {
-            studio.notice("A scene has at most " + SceneLimits.MAX_LIGHTS + " lights");
-        } else {
-            studio.pictureProperty()
-                    .get()
-                    .ifPresent(shown -> studio.insert(NewLight.over(shown.input(), studio.scene())));
-        }
+        studio.pictureProperty()
+                .get()
+                .filter(_ -> hasRoomFor(1))
+                .ifPresent(shown -> studio.insert(
+                        "insert light", List.of(), List.of(NewLight.over(shown.input(), studio.scene()))));
     }
 
     /** Adds copies of the selected bodies, to the right of them. */
     public void duplicate() {
         selected().ifPresent(originals -> {
-            boolean light = isLightSelected();
             insert("duplicate", originals.beside());
-            if (light) {
-                studio.notice(UNCOPIED_LIGHT);
-            }
         });
     }
 
     public void copy() {
         selected().ifPresent(originals -> {
             copied = Optional.of(originals);
-            studio.notice(
-                    isLightSelected()
-                            ? UNCOPIED_LIGHT
-                            : "Copied " + (originals.bodies().size() == 1 ? "a " : "") + originals.kind());
+            studio.notice("Copied " + (originals.count() == 1 ? "a " : "") + originals.kind());
         });
     }
 
@@ -103,10 +94,6 @@ public final class BodyActions {
         }
     }
 
-    private boolean isLightSelected() {
-        return studio.selection().bodies().bodies().stream().anyMatch(body -> BodyEdits.isLight(studio.scene(), body));
-    }
-
     public void selectAlong(int steps) {
         Selection selection = studio.selection();
         selection.select(BodyEdits.along(studio.scene(), selection.active(), steps));
@@ -121,25 +108,39 @@ public final class BodyActions {
                         () -> studio.notice("Select a sphere, a mesh or a light to frame it"));
     }
 
-    private SelectedBodies solids(Scene scene) {
-        return studio.selection().bodies().where(body -> BodyEdits.isSolid(scene, body));
-    }
-
-    /** The selected spheres and meshes where they are now; tells it if there are none. */
+    /** The selected spheres, meshes and lights where they are now; tells it if there are none. */
     private Optional<BodyGroup> selected() {
         Scene now = studio.bodies().scene();
-        SelectedBodies solids = solids(now);
-        if (solids.count() == 0) {
-            studio.notice("Select a sphere or a mesh to copy it");
+        SelectedBodies movable = studio.selection().bodies().where(body -> BodyEdits.isMovable(now, body));
+        if (movable.count() == 0) {
+            studio.notice("Select a sphere, a mesh or a light to copy it");
             return Optional.empty();
         }
         return Optional.of(new BodyGroup(
-                solids.bodies().stream().map(body -> BodyEdits.solid(now, body)).toList(),
-                studio.bodies().extent(solids).orElseThrow().apart()));
+                movable.bodies().stream()
+                        .filter(body -> BodyEdits.isSolid(now, body))
+                        .map(body -> BodyEdits.solid(now, body))
+                        .toList(),
+                movable.bodies().stream()
+                        .filter(body -> BodyEdits.isLight(now, body))
+                        .map(body -> BodyEdits.light(now, body))
+                        .toList(),
+                studio.bodies().extent(movable).orElseThrow().apart()));
     }
 
     private void insert(String what, BodyGroup group) {
-        studio.insert(what + " " + group.kind(), group.bodies());
+        if (hasRoomFor(group.lights().size())) {
+            studio.insert(what + " " + group.kind(), group.bodies(), group.lights());
+        }
+    }
+
+    /** Whether the scene may have so many lights more; tells it if not. */
+    private boolean hasRoomFor(int lights) {
+        boolean room = studio.scene().lights().count() + lights <= SceneLimits.MAX_LIGHTS;
+        if (!room) {
+            studio.notice("A scene has at most " + SceneLimits.MAX_LIGHTS + " lights");
+        }
+        return room;
     }
 
     /** Throws the spheres into the air; in the background, because placing 500,000 of them takes a while. */

@@ -51,6 +51,9 @@ final class PictureWork implements AutoCloseable {
     /** Whether a smaller picture has answered the request. */
     private boolean quick;
 
+    /** The smaller picture of a path-traced one, which gathers samples until the full one is begun. */
+    private Optional<CoarsePicture> coarse = Optional.empty();
+
     private int coarseness = COARSEST;
     private Optional<Engine> drawer = Optional.empty();
     private Optional<RefinedPicture> refined = Optional.empty();
@@ -131,6 +134,7 @@ final class PictureWork implements AutoCloseable {
             refined = refined.filter(old -> old.fits(wanted.width(), wanted.height()));
             refined.ifPresent(RefinedPicture::reset);
             quick = false;
+            coarse = Optional.empty();
         }
         try {
             return draw(wanted, engine);
@@ -210,6 +214,10 @@ final class PictureWork implements AutoCloseable {
         if (!drawn && !quick && drawQuickly(wanted, engine)) {
             return true;
         }
+        if (!drawn && coarse.filter(small -> !small.isDone(clock.getAsLong())).isPresent()) {
+            drawCoarsely(wanted, engine, coarse.orElseThrow());
+            return true;
+        }
         if (!drawn || (wanted.isContinuous() && !opening)) {
             if (drawPlain(wanted, engine, input, drawn && !wanted.motion().running())) {
                 drawn = true;
@@ -242,9 +250,24 @@ final class PictureWork implements AutoCloseable {
         }
         quick = true;
         FrameInput small = coarse(divisor);
+        long start = clock.getAsLong();
+        if (input.tracesPaths() && wanted.shown() == Picture.REFLECTIONS && watcher.isEmpty()) {
+            CoarsePicture picture = new CoarsePicture(small, start);
+            // Pictures of moving bodies are not refined: each shows another moment.
+            coarse = Optional.of(picture).filter(_ -> !wanted.isContinuous());
+            drawCoarsely(wanted, engine, picture);
+        } else {
+            drawSmall(wanted, engine, small);
+        }
+        if (unknown || isPreview(wanted)) {
+            slowPictures.guess(engine, input, (clock.getAsLong() - start) * divisor * divisor);
+        }
+        return true;
+    }
+
+    private void drawSmall(DrawingRequest wanted, Engine engine, FrameInput small) {
         Frame frame = exchange.frameToDraw(small.width(), small.height());
         boolean whole = false;
-        long start = clock.getAsLong();
         try {
             whole = render(wanted, small, frame, (seen, pixels) -> {
                 engine.render(seen, pixels);
@@ -255,11 +278,24 @@ final class PictureWork implements AutoCloseable {
                 exchange.abandon(frame);
             }
         }
-        if (unknown || isPreview(wanted)) {
-            slowPictures.guess(engine, input, (clock.getAsLong() - start) * divisor * divisor);
-        }
         finish(wanted, small, engine, frame, frame.times(), Gathered.of(small), false);
-        return true;
+    }
+
+    /** Adds a sample to a smaller picture and shows it. */
+    private void drawCoarsely(DrawingRequest wanted, Engine engine, CoarsePicture picture) {
+        FrameInput small = picture.input();
+        Frame frame = exchange.frameToDraw(small.width(), small.height());
+        boolean whole = false;
+        try {
+            picture.refine(engine, frame);
+            whole = true;
+        } finally {
+            if (!whole) {
+                exchange.abandon(frame);
+            }
+        }
+        Gathered gathered = new Gathered(picture.samples(), OptionalDouble.empty());
+        finish(wanted, small, engine, frame, frame.times(), gathered, false);
     }
 
     private FrameInput coarse(int divisor) {

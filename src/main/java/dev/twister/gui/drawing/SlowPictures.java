@@ -30,6 +30,9 @@ final class SlowPictures {
     /** Many bodies take longer per pixel, above all before the JVM has compiled their code. */
     private static final int FEW_BODIES = 32;
 
+    /** A band has at most this many times the rows of the one before. */
+    private static final int GROWTH = 4;
+
     private final LongSupplier clock;
     private Optional<Pace> pace = Optional.empty();
 
@@ -107,13 +110,15 @@ final class SlowPictures {
             engine.render(input, frame);
             return true;
         }
-        double nanosARow = nanosARow(engine, input);
+        double known = nanosARow(engine, input);
+        double nanosARow = known;
         long start = clock.getAsLong();
         long before = start;
         FrameTimes times = FrameTimes.NONE;
         int drawn = 0;
+        int most = height;
         while (drawn < height) {
-            int rows = nanosARow == 0 ? firstRows(input) : rows(nanosARow, height - drawn);
+            int rows = nanosARow == 0 ? firstRows(input) : rows(nanosARow, height - drawn, most);
             if (rows == height) {
                 engine.render(input, frame);
                 times = frame.times();
@@ -124,9 +129,10 @@ final class SlowPictures {
                 times = times.plus(band.times());
             }
             drawn += rows;
-            // Rows differ: the next ones are more like the last than like the sky above.
+            // Rows differ: the next ones are more like the last than like the sky above, which is fast.
             long now = clock.getAsLong();
-            nanosARow = Math.max(1, (double) (now - before) / rows);
+            nanosARow = Math.max(Math.max(1, known), (double) (now - before) / rows);
+            most = GROWTH * rows;
             before = now;
             if (drawn < height && leave.test((long) (nanosARow * (height - drawn)))) {
                 return false;
@@ -145,7 +151,9 @@ final class SlowPictures {
         return Math.clamp(pixels / input.width(), 1, input.rows());
     }
 
-    private static int rows(double nanosARow, int left) {
-        return nanosARow * left < 2 * BAND_NANOS ? left : (int) Math.clamp(BAND_NANOS / nanosARow, 1, left);
+    private static int rows(double nanosARow, int left, int most) {
+        return nanosARow * left < 2 * BAND_NANOS && left <= most
+                ? left
+                : (int) Math.clamp(BAND_NANOS / nanosARow, 1, Math.min(left, most));
     }
 }

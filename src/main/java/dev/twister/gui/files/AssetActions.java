@@ -52,7 +52,8 @@ public final class AssetActions {
             studio.assets().keepMesh(mesh, held);
             studio.insert(
                     "insert mesh",
-                    List.of(NewMesh.inFrontOf(shown.input(), studio.scene(), mesh, bounds.center(), bounds.half())));
+                    List.of(NewMesh.inFrontOf(shown.input(), studio.scene(), mesh, bounds.center(), bounds.half())),
+                    List.of());
         });
     }
 

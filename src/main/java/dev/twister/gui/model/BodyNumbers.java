@@ -1,12 +1,16 @@
 package dev.twister.gui.model;
 
 import dev.twister.gui.model.NumberScale.Spread;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
 import java.util.List;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 
 /** The numbers of spheres and meshes, except those of their materials. */
 public final class BodyNumbers {
@@ -33,11 +37,22 @@ public final class BodyNumbers {
             turn("roll", Axis.Z, "to its left side", "Alt+Shift+6"),
             new NumberProperty<>(
                     "Mesh scale",
-                    "Meters per unit of the mesh's file.",
+                    "Meters per unit of the mesh's file; of a shape, the factor of its size.",
                     "Alt+7",
                     FILE_UNIT,
                     Mesh::scale,
                     Mesh::withScale));
+
+    private static final NumberScale SIDE =
+            new NumberScale(SceneLimits.LENGTH, new Range(0.05, 20), Spread.LOGARITHMIC, 2, "m");
+
+    /** Of the width of a torus: its height must be below half of it. */
+    private static final double MOST_OF_A_TORUS = 0.499;
+
+    private static final List<NumberProperty<Shape>> SIDES = List.of(
+            side("width", Axis.X, "Alt+Shift+8"),
+            side("height", Axis.Y, "Alt+Shift+9"),
+            side("depth", Axis.Z, "Alt+Shift+0"));
 
     private BodyNumbers() {}
 
@@ -45,9 +60,31 @@ public final class BodyNumbers {
     public static List<NumberProperty<Scene>> of(Scene scene, int body) {
         return BodyEdits.isSphere(scene, body)
                 ? SPHERE.stream().map(number -> ofSphere(body, number)).toList()
-                : BodyEdits.isMesh(scene, body)
-                        ? MESH.stream().map(number -> ofMesh(body, number)).toList()
-                        : List.of();
+                : BodyEdits.isMesh(scene, body) ? ofMesh(scene, body) : List.of();
+    }
+
+    private static List<NumberProperty<Scene>> ofMesh(Scene scene, int body) {
+        Stream<NumberProperty<Mesh>> sides = switch (BodyEdits.mesh(scene, body).geometry()) {
+            case Geometry.OfFile _ -> Stream.empty();
+            case Shape shape ->
+                SIDES.stream()
+                        .limit(shape.kind() == Shape.Kind.QUAD ? 2 : 3)
+                        .map(side -> side.in(BodyNumbers::shape, BodyNumbers::reshaped));
+        };
+        return Stream.concat(MESH.stream(), sides)
+                .map(number -> ofMesh(body, number))
+                .toList();
+    }
+
+    private static Shape shape(Mesh mesh) {
+        if (mesh.geometry() instanceof Shape shape) {
+            return shape;
+        }
+        throw new IllegalArgumentException("no shape: " + mesh.geometry().name());
+    }
+
+    private static Mesh reshaped(Mesh mesh, UnaryOperator<Shape> edit) {
+        return mesh.withGeometry(edit.apply(shape(mesh)));
     }
 
     public static NumberProperty<Scene> ofSphere(int body, NumberProperty<Sphere> number) {
@@ -78,6 +115,26 @@ public final class BodyNumbers {
                 SceneNumbers.PLACE,
                 mesh -> axis.of(mesh.position()),
                 (mesh, number) -> mesh.withPosition(axis.with(mesh.position(), number)));
+    }
+
+    private static NumberProperty<Shape> side(String name, Axis axis, String key) {
+        return new NumberProperty<>(
+                "Shape " + name,
+                "The " + name + " of the box that the shape fills before it is scaled and rotated.",
+                key,
+                SIDE,
+                shape -> axis.of(shape.size()),
+                (shape, meters) -> new Shape(shape.kind(), axis.with(shape.size(), possible(shape, axis, meters))));
+    }
+
+    /** The hole of a torus stays open. */
+    private static double possible(Shape shape, Axis axis, double meters) {
+        if (shape.kind() != Shape.Kind.TORUS || axis == Axis.Z) {
+            return meters;
+        }
+        return axis == Axis.X
+                ? Math.max(meters, shape.size().y() / MOST_OF_A_TORUS)
+                : Math.min(meters, shape.size().x() * MOST_OF_A_TORUS);
     }
 
     private static NumberProperty<Mesh> turn(String name, Axis axis, String direction, String key) {

@@ -6,7 +6,9 @@ import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;
+import dev.twister.world.LightStrength;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.IntSupplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
@@ -21,14 +23,22 @@ public final class LightNumbers {
             Light::radius,
             Light::withRadius);
 
-    public static final NumberProperty<Light> STRENGTH = new NumberProperty<>(
-            "Light strength",
+    public static final NumberProperty<Light> BRIGHTNESS = new NumberProperty<>(
+            "Light brightness",
             "The brightest channel of the light's color; 1 is white paper lit from straight above.",
             "Alt+Q",
             new NumberScale(SceneLimits.RADIANCE, new Range(0.05, 20), Spread.LOGARITHMIC, 2, ""),
             light -> Radiance.of(light.color()).strength(),
             (light, strength) ->
                     light.withColor(new Radiance(Radiance.of(light.color()).hue(), strength).color()));
+
+    private static final NumberProperty<Light> SHARE = new NumberProperty<>(
+            "Light share",
+            "Without path tracing: factor of what the light adds to the brightness of matte surfaces.",
+            "Alt+0",
+            new NumberScale(SceneLimits.LIGHT_SHARE, new Range(0, 2), Spread.LINEAR, 2, ""),
+            Light::share,
+            Light::withShare);
 
     private static final NumberProperty<Scene> AMBIENT = new NumberProperty<>(
             "Ambient light",
@@ -55,9 +65,9 @@ public final class LightNumbers {
                                         place(Axis.Y, "The light's height.", "Alt+2"),
                                         place(Axis.Z, "The light's position from near to far.", "Alt+3"),
                                         RADIUS,
-                                        STRENGTH)
+                                        BRIGHTNESS)
                                 .map(number -> ofScene(number, index)),
-                        Stream.of(AMBIENT))
+                        Stream.of(strength(index), ofScene(SHARE, index), AMBIENT))
                 .toList();
     }
 
@@ -82,6 +92,25 @@ public final class LightNumbers {
 
     private static int present(Scene scene, IntSupplier index) {
         return index.getAsInt() < scene.lights().count() ? index.getAsInt() : 0;
+    }
+
+    private static NumberProperty<Scene> strength(IntSupplier index) {
+        return new NumberProperty<>(
+                "Light strength",
+                "In path tracing: the irradiance over pi, at 1 m, of a surface that faces the light, is its color times "
+                        + "this. Default: the ground is about as bright as without path tracing.",
+                "Alt+Shift+Q",
+                new NumberScale(SceneLimits.LIGHT_STRENGTH, new Range(0.1, 1000), Spread.LOGARITHMIC, 2, "m²"),
+                scene -> light(scene, index).strength().orElseGet(() -> usualStrength(scene, index)),
+                (scene, strength) -> edited(
+                        scene,
+                        index,
+                        light -> light.withStrength(
+                                Optional.of(strength).filter(own -> own != usualStrength(scene, index)))));
+    }
+
+    private static double usualStrength(Scene scene, IntSupplier index) {
+        return LightStrength.usual(light(scene, index), scene.ground());
     }
 
     private static NumberProperty<Light> place(Axis axis, String hint, String key) {

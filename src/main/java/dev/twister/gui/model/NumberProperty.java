@@ -11,7 +11,7 @@ import java.util.function.UnaryOperator;
  *
  * @param label such as "Shadow samples"
  * @param hint one sentence for the tooltip
- * @param key leads to its row, such as "Alt+S"
+ * @param key leads to its row, such as "Alt+S"; empty for none
  * @param getter reads the number
  * @param wither returns a copy with another number
  */

@@ -24,7 +24,7 @@ final class LightSection {
         numbers = NumberRow.of(LightNumbers.of(() -> shown), studio);
         color = new ColorRow(
                 "Light color",
-                "The light's color. Set brightness with Light strength.",
+                "The light's color. Set brightness with Light brightness.",
                 "Alt+C",
                 studio,
                 scene -> Radiance.of(LightNumbers.light(scene, () -> shown).color())

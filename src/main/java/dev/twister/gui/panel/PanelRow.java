@@ -26,11 +26,11 @@ public abstract class PanelRow extends HBox {
      * A row without controls.
      *
      * @param hint for the tooltip
-     * @param key moves the focus to the first control
+     * @param key moves the focus to the first control; empty for none
      */
     PanelRow(String label, String hint, String key) {
-        keys = KeyCombination.valueOf(key);
-        tooltip = Tooltips.of(hint + "\nKey: " + keys.getDisplayText());
+        keys = key.isEmpty() ? KeyCombination.NO_MATCH : KeyCombination.valueOf(key);
+        tooltip = Tooltips.of(key.isEmpty() ? hint : hint + "\nKey: " + keys.getDisplayText());
         nameLabel = new Label(label);
         nameLabel.getStyleClass().add("row-name");
         nameLabel.setTooltip(tooltip);

@@ -18,11 +18,13 @@ import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
@@ -129,7 +131,8 @@ public final class Studio implements AutoCloseable {
     /** The samples per pixel of the picture; empty unless it is finished and no other is being drawn. */
     public Optional<Integer> restingSamples() {
         return picture.get()
-                .filter(shown -> shown.request().number() == requests
+                .filter(shown -> shown.isWhole()
+                        && shown.request().number() == requests
                         && !shown.request().isContinuous()
                         && shown.samples() >= shown.request().refineTo())
                 .map(DrawnPicture::samples);
@@ -206,18 +209,17 @@ public final class Studio implements AutoCloseable {
         }
     }
 
-    /** Adds spheres and meshes to the scene as an edit of its own, and selects them. */
-    public void insert(String what, List<Body> added) {
-        edit(what, standing -> standing.withBodies(standing.bodies().with(added)));
+    /** Adds spheres and meshes, and lights, to the scene as an edit of its own, and selects them. */
+    public void insert(String what, List<Body> added, List<Light> lights) {
+        edit(what, standing -> {
+            Scene more = standing.withBodies(standing.bodies().with(added));
+            return lights.isEmpty() ? more : more.withLights(more.lights().with(lights));
+        });
         endGesture();
-        selection.select(BodyEdits.numbersOfLast(scene(), added));
-    }
-
-    /** Adds a light to the scene as an edit of its own, and selects it. */
-    public void insert(Light light) {
-        edit("insert light", standing -> standing.withLights(standing.lights().with(List.of(light))));
-        endGesture();
-        selection.select(BodyNumber.ofLight(scene().lights().count() - 1));
+        List<Integer> numbers = new ArrayList<>(BodyEdits.numbersOfLast(scene(), added));
+        int before = scene().lights().count() - lights.size();
+        IntStream.range(0, lights.size()).forEach(index -> numbers.add(BodyNumber.ofLight(before + index)));
+        selection.select(numbers);
     }
 
     /** Starts a new undo step, for example when the mouse button is released. */

@@ -103,6 +103,19 @@ class PathPreviewTest {
     }
 
     @Test
+    void theSmallPictureGathersSamplesBeforeTheFullOneIsBegun() {
+        Scene plain = WindowScenes.tiny();
+        request(plain, 1, Motion.NONE);
+        await(DrawnPicture::isWhole);
+        long asked = nanos.get();
+        request(traced(plain), 1, Motion.NONE);
+        DrawnPicture small = await(picture -> answers(picture) && picture.samples() > 3);
+
+        assertThat(small.finishedNanos() - asked).isLessThan(TimeUnit.MILLISECONDS.toNanos(500));
+        assertThat(small.isWhole()).isFalse();
+    }
+
+    @Test
     void movingBodiesAreShownFiveTimesASecond() {
         request(scene, 1024, new Motion(1, true, 0));
         await(this::answers);
@@ -124,7 +137,7 @@ class PathPreviewTest {
     @Test
     void aPictureAtRestGathersSamplesAndTellsItsNoise() {
         request(scene, 6, Motion.NONE);
-        DrawnPicture picture = await(done -> done.samples() == 6);
+        DrawnPicture picture = await(done -> done.isWhole() && done.samples() == 6);
 
         assertThat(picture.isWhole()).isTrue();
         assertThat(picture.noise().getAsDouble()).isPositive();

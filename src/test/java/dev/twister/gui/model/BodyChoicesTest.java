@@ -64,7 +64,10 @@ class BodyChoicesTest {
         Body sphere = BodyEdits.solid(scene, 2);
         double apart = BodyExtent.of(scene, SceneMeshes.NONE, 2).apart();
 
-        Body copy = new BodyGroup(List.of(sphere), apart).beside().bodies().getFirst();
+        Body copy = new BodyGroup(List.of(sphere), List.of(), apart)
+                .beside()
+                .bodies()
+                .getFirst();
 
         assertThat(copy.position()).isEqualTo(new Vector3(3.3000000000000003, 2, 0));
         assertThat(copy.withPosition(sphere.position())).isEqualTo(sphere);

@@ -121,14 +121,14 @@ class NumberPropertyTest {
         assertThat(SceneNumbers.EXPOSURE.scale().movedBy(6, 0.5)).isEqualTo(12);
         assertThat(SceneNumbers.SHADOW_SAMPLES.scale().movedBy(400, 1)).isEqualTo(1024);
         assertThat(SceneNumbers.SHADOW_SAMPLES.scale().movedBy(20, 0.5)).isCloseTo(400, within(1e-6));
-        assertThat(LightNumbers.ofScene(LightNumbers.STRENGTH).scale().movedBy(0, 0.1))
+        assertThat(LightNumbers.ofScene(LightNumbers.BRIGHTNESS).scale().movedBy(0, 0.1))
                 .isPositive();
     }
 
     @Test
     void aLightThatIsOutCanBeLitAgain() {
-        Scene out = LightNumbers.ofScene(LightNumbers.STRENGTH).write(scene, 0);
-        Scene lit = LightNumbers.ofScene(LightNumbers.STRENGTH).write(out, 3);
-        assertThat(LightNumbers.ofScene(LightNumbers.STRENGTH).read(lit)).isEqualTo(3);
+        Scene out = LightNumbers.ofScene(LightNumbers.BRIGHTNESS).write(scene, 0);
+        Scene lit = LightNumbers.ofScene(LightNumbers.BRIGHTNESS).write(out, 3);
+        assertThat(LightNumbers.ofScene(LightNumbers.BRIGHTNESS).read(lit)).isEqualTo(3);
     }
 }

@@ -10,11 +10,13 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
+import dev.twister.world.LightStrength;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
@@ -85,6 +87,28 @@ class SeveralLightsEditsTest {
         assertThat(height.read(scene)).isEqualTo(4);
         assertThat(height.write(scene, 6).lights().list())
                 .containsExactly(one.lights().first(), RED, BLUE.withPosition(new Vector3(3, 6, -4)));
+    }
+
+    @Test
+    void aLightWithoutStrengthShowsTheUsualOneAndGoesBackToIt() {
+        NumberProperty<Scene> strength = number("Light strength");
+        assertThat(strength.read(scene)).isEqualTo(LightStrength.usual(RED, scene.ground()));
+
+        Scene stated = strength.write(scene, 12);
+        assertThat(stated.lights().get(1)).isEqualTo(RED.withStrength(Optional.of(12.0)));
+        assertThat(strength.write(stated, strength.read(scene))).isEqualTo(scene);
+    }
+
+    @Test
+    void theShareOfOneLightIsWritten() {
+        assertThat(number("Light share").write(scene, 0.5).lights().get(1)).isEqualTo(RED.withShare(0.5));
+    }
+
+    private static NumberProperty<Scene> number(String label) {
+        return LightNumbers.of(() -> 1).stream()
+                .filter(number -> number.label().equals(label))
+                .findFirst()
+                .orElseThrow();
     }
 
     @Test

@@ -1,0 +1,160 @@
+package dev.twister.denoise;
+
+import java.lang.foreign.MemorySegment;
+import java.lang.foreign.ValueLayout;
+import java.util.Optional;
+
+/** Intel's Open Image Denoise, a neural network; in bands if the picture is large. */
+final class OpenImageDenoise implements Denoiser {
+    private static final String RADIANCE = "color";
+    private static final String ALBEDO = "albedo";
+    private static final String NORMAL = "normal";
+    private static final String OUTPUT = "output";
+    private static final int THREE_FLOATS = 3;
+    private static final int CHANNELS = 3;
+
+    /** Limit of the library's own memory in megabytes, approximately. */
+    private static final int MOST_MEGABYTES = 2048;
+
+    private final OidnDevice device;
+    private final long mostPixels;
+
+    /** Denoises on the device, which is closed with this object. */
+    OpenImageDenoise(OidnDevice device) {
+        this(device, Long.MAX_VALUE);
+    }
+
+    /** As above, in bands of at most so many pixels. */
+    OpenImageDenoise(OidnDevice device, long mostPixels) {
+        this.device = device;
+        this.mostPixels = mostPixels;
+    }
+
+    /** Version and device, for display. */
+    String text() {
+        return device.text();
+    }
+
+    @Override
+    public float[] denoise(NoisyPicture picture) {
+        float[] denoised = new float[picture.values()];
+        Bands bands = mostPixels == Long.MAX_VALUE
+                ? Bands.of(picture.width(), picture.height())
+                : Bands.of(picture.width(), picture.height(), mostPixels);
+        float scale = InputScale.of(picture);
+        try (Images images = new Images(device, bands, picture.guides().isPresent())) {
+            for (int band = 0; band < bands.count(); band++) {
+                denoise(picture, bands, band, scale, images, denoised);
+            }
+        }
+        return denoised;
+    }
+
+    private void denoise(NoisyPicture picture, Bands bands, int band, float scale, Images images, float[] denoised) {
+        int width = picture.width();
+        int rows = bands.bottom(band) - bands.top(band);
+        OidnFunctions library = device.library();
+        MemorySegment filter = device.newFilter();
+        try {
+            images.put(filter, RADIANCE, picture.radiance(), bands, band);
+            picture.guides().ifPresent(guides -> {
+                images.put(filter, ALBEDO, guides.albedo(), bands, band);
+                images.put(filter, NORMAL, guides.normal(), bands, band);
+            });
+            images.set(filter, OUTPUT, width, rows);
+            library.run("oidnSetFilterBool", filter, "hdr", true);
+            library.run("oidnSetFilterFloat", filter, "inputScale", scale);
+            library.run("oidnSetFilterInt", filter, "maxMemoryMB", MOST_MEGABYTES);
+            library.run("oidnCommitFilter", filter);
+            library.run("oidnExecuteFilter", filter);
+            device.check();
+            int kept = bands.end(band) - bands.first(band);
+            MemorySegment.copy(
+                    images.data(OUTPUT),
+                    ValueLayout.JAVA_FLOAT,
+                    (long) Float.BYTES * CHANNELS * width * (bands.first(band) - bands.top(band)),
+                    denoised,
+                    CHANNELS * width * bands.first(band),
+                    CHANNELS * width * kept);
+        } finally {
+            library.run("oidnReleaseFilter", filter);
+        }
+    }
+
+    @Override
+    public void close() {
+        device.close();
+    }
+
+    /** Buffers for one band of each image. */
+    private static final class Images implements AutoCloseable {
+        private final OidnDevice device;
+        private final long bytes;
+        private final Optional<MemorySegment> albedo;
+        private final Optional<MemorySegment> normal;
+        private final MemorySegment radiance;
+        private final MemorySegment output;
+
+        Images(OidnDevice device, Bands bands, boolean guided) {
+            this.device = device;
+            bytes = (long) Float.BYTES * CHANNELS * bands.width() * bands.mostRows();
+            radiance = device.newBuffer(bytes);
+            output = device.newBuffer(bytes);
+            albedo = guided ? Optional.of(device.newBuffer(bytes)) : Optional.empty();
+            normal = guided ? Optional.of(device.newBuffer(bytes)) : Optional.empty();
+        }
+
+        private MemorySegment buffer(String name) {
+            return switch (name) {
+                case ALBEDO -> albedo.orElseThrow();
+                case NORMAL -> normal.orElseThrow();
+                case OUTPUT -> output;
+                default -> radiance;
+            };
+        }
+
+        MemorySegment data(String name) {
+            return device.library().pointer("oidnGetBufferData", buffer(name)).reinterpret(bytes);
+        }
+
+        /** Copies a band of a plane, and makes it an image of the filter. */
+        void put(MemorySegment filter, String name, Plane plane, Bands bands, int band) {
+            int stride = CHANNELS * bands.width();
+            int rows = bands.bottom(band) - bands.top(band);
+            MemorySegment data = data(name);
+            int from = plane.first() + stride * bands.top(band);
+            MemorySegment.copy(plane.values(), from, data, ValueLayout.JAVA_FLOAT, 0, stride * rows);
+            for (int i = 0; i < stride * rows; i++) {
+                if (!Float.isFinite(plane.values()[from + i])) {
+                    data.setAtIndex(ValueLayout.JAVA_FLOAT, i, 0f);
+                }
+            }
+            set(filter, name, bands.width(), rows);
+        }
+
+        /** Makes a buffer an image of the filter. */
+        void set(MemorySegment filter, String name, int width, int rows) {
+            device.library()
+                    .run(
+                            "oidnSetFilterImage",
+                            filter,
+                            name,
+                            buffer(name),
+                            THREE_FLOATS,
+                            (long) width,
+                            (long) rows,
+                            0L,
+                            0L,
+                            0L);
+            device.check();
+        }
+
+        @Override
+        public void close() {
+            device.library().run("oidnReleaseBuffer", radiance);
+            device.library().run("oidnReleaseBuffer", output);
+            albedo.ifPresent(buffer -> device.library().run("oidnReleaseBuffer", buffer));
+            normal.ifPresent(buffer -> device.library().run("oidnReleaseBuffer", buffer));
+        }
+    }
+}
