@@ -32,7 +32,8 @@ final class PictureDrawing implements AutoCloseable {
     /** How the file of a picture is made; equal for all of its parts, except their samples. */
     Provenance provenance(FrameInput whole) {
         String software = "Twister " + TwisterVersion.text();
-        String drawn = order.pictures().stream().map(Picture::id).collect(Collectors.joining(","));
+        String drawn = order.pictures().stream().map(Picture::id).collect(Collectors.joining(","))
+                + (order.output().background() == Background.NONE ? ", no background" : "");
         return new Provenance(
                 software,
                 digest.of(whole.withSamples(0, 1), software + " " + drawn),
@@ -44,12 +45,17 @@ final class PictureDrawing implements AutoCloseable {
         FrameInput input = order.part().of(whole);
         List<DrawnAspect> drawn = new ArrayList<>();
         for (Picture wanted : order.pictures()) {
-            boolean asRadiance = order.output().isLinear() || !wanted.isColor();
-            drawn.add(new DrawnAspect(
-                    wanted,
-                    BandedDrawing.draw(engine(), input.showing(wanted), order.sampling(), asRadiance, progress)));
+            drawn.add(new DrawnAspect(wanted, draw(wanted, input.showing(wanted), progress)));
         }
         return drawn;
+    }
+
+    private BandedDrawing.Drawn draw(Picture wanted, FrameInput input, RenderProgress progress) {
+        if (order.output().background() == Background.NONE) {
+            return Cutout.draw(engine(), input, order.sampling().samples(), progress);
+        }
+        boolean asRadiance = order.output().isLinear() || !wanted.isColor();
+        return BandedDrawing.draw(engine(), input, order.sampling(), asRadiance, progress);
     }
 
     @Override

@@ -19,6 +19,15 @@ public final class TonedPixels {
     public static int[] of(float[] radiance, Rendering settings) {
         float[] frame = new float[Layout.SAMPLES];
         World.putTone(frame, settings);
+        return of(radiance, frame);
+    }
+
+    /** As above, with the exposure, tone map and transfer function of an input. */
+    public static int[] of(float[] radiance, FrameInput input) {
+        return of(radiance, input.view().frame());
+    }
+
+    private static int[] of(float[] radiance, float[] frame) {
         float[] path = new float[Layout.PATH_LENGTH];
         int[] argb = new int[radiance.length / CHANNELS];
         for (int pixel = 0; pixel < argb.length; pixel++) {
