@@ -54,6 +54,7 @@ import picocli.CommandLine.Spec;
             "  twister render my-scene.json -o large.png --size 4k --samples 16 --tone-map aces",
             "  twister render mirrors -o mirrors.hdr --engine tornado",
             "  twister render metals -o metals.png --noise 0.01 --exposure auto",
+            "  twister render cornell -o cornell.png --samples 16 --denoise",
             "  twister render benchmark -o left.png --camera -12,-6,-10 --yaw 40 --fov 60",
             "  twister render benchmark -o diffuse.png --stage diffuse",
             "  twister render benchmark -o shot.exr --view beauty,normal,depth,albedo",
@@ -141,16 +142,20 @@ final class RenderCommand implements Callable<Integer> {
     private PartOptions part;
 
     @Mixin
+    private DenoisingOptions denoising;
+
+    @Mixin
     private ProgressOptions progress;
 
     @Override
     public Integer call() throws IOException {
         film.check(motion);
         samples.check(views.pictures());
-        if (background == Background.NONE && samples.isNoiseGiven()) {
-            throw new BadInputException("--background none excludes --noise; give --samples");
+        if (background == Background.NONE && (samples.isNoiseGiven() || denoising.isOn())) {
+            throw new BadInputException("--background none excludes --noise and --denoise; give --samples");
         }
         part.check(output, samples);
+        denoising.check(output, views.pictures(), part);
         Optional<List<Path>> several = SeveralFiles.of(sceneName);
         if (several.isPresent()) {
             return renderAll(several.get());
@@ -234,7 +239,7 @@ final class RenderCommand implements Callable<Integer> {
                 new Sampling(part.samplesOr(usual.samples()), usual.noise()),
                 part.part(),
                 film.movement(scene, from, motion, recorded, frames.isPresent()),
-                tone.isMetered(),
+                denoising.finishing(tone.isMetered()),
                 output(picture, frames));
     }
 

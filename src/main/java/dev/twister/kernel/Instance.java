@@ -53,4 +53,14 @@ public final class Instance {
     public static int texturePlaces(float[] bodies, int instance) {
         return normals(bodies, instance) + 3 * (int) bodies[instance + Layout.INSTANCE_NORMALS];
     }
+
+    /** Start of its vertex colors. */
+    public static int colors(float[] bodies, int instance) {
+        return texturePlaces(bodies, instance) + 2 * (int) bodies[instance + Layout.INSTANCE_TEXTURE_PLACES];
+    }
+
+    /** Start of its tangents. */
+    public static int tangents(float[] bodies, int instance) {
+        return colors(bodies, instance) + 4 * (int) bodies[instance + Layout.INSTANCE_COLORS];
+    }
 }

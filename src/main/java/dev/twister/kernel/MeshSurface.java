@@ -41,7 +41,11 @@ public final class MeshSurface {
         path[Layout.POINT + 2] = Instance.point(bodies, back + 8, x, y, z);
         writeFace(path, Layout.FACE, instance, triangle, bodies, meshes);
         writeNormal(path, instance, triangle, b, c, bodies, meshes);
-        writeTexturePlace(path, instance, triangle, b, c, bodies, meshes);
+        writeTexturePlace(path, instance, triangle, 0, b, c, bodies, meshes);
+        if ((variant & Variant.MAPS) != 0) {
+            path[Layout.CORNER_PARTS] = b;
+            path[Layout.CORNER_PARTS + 1] = c;
+        }
         path[Layout.LEAVING_TRIANGLE] = path[Layout.TRIANGLE];
     }
 
@@ -108,10 +112,17 @@ public final class MeshSurface {
         path[Layout.NORMAL + 2] = side * path[Layout.NORMAL + 2];
     }
 
-    private static void writeTexturePlace(
-            float[] path, int instance, int triangle, float b, float c, float[] bodies, float[] meshes) {
+    /**
+     * Writes texture coordinates of a point of a triangle.
+     *
+     * @param set which of the mesh's coordinates, from 0 on
+     * @param b with c: weights of the second and the third corner
+     */
+    static void writeTexturePlace(
+            float[] path, int instance, int triangle, int set, float b, float c, float[] bodies, float[] meshes) {
         if (bodies[instance + Layout.INSTANCE_TEXTURE_PLACES] > 0f) {
-            int places = Instance.texturePlaces(bodies, instance);
+            int places = Instance.texturePlaces(bodies, instance)
+                    + 2 * set * (int) bodies[instance + Layout.INSTANCE_VERTICES];
             int atA = places + 2 * (int) meshes[triangle + Layout.TRIANGLE_VERTICES];
             int atB = places + 2 * (int) meshes[triangle + Layout.TRIANGLE_VERTICES + 1];
             int atC = places + 2 * (int) meshes[triangle + Layout.TRIANGLE_VERTICES + 2];

@@ -13,6 +13,10 @@ final class GltfMeshes {
     private static final int TRIANGLES = 4;
     private static final int STRIP = 5;
     private static final int FAN = 6;
+
+    /** Number of components of a color: three or four. */
+    private static final int COLOR = 0;
+
     private static final String DRACO = "KHR_draco_mesh_compression";
 
     /** A primitive with triangles. */
@@ -106,7 +110,7 @@ final class GltfMeshes {
         if (!number.exists()) {
             return Optional.empty();
         }
-        GltfAccessor accessor = accessors.at(number, components);
+        GltfAccessor accessor = components == COLOR ? accessors.ofColors(number) : accessors.at(number, components);
         if (accessor.count() != positions.count()) {
             throw accessor.place()
                     .failure("has " + accessor.count() + " elements, but the positions beside it are "
@@ -119,8 +123,13 @@ final class GltfMeshes {
             GltfPlace attributes, GltfAccessor positions, int[] corners, GltfMaterials.Textured material)
             throws IOException {
         Optional<GltfAccessor> normals = attribute(attributes.at("NORMAL"), 3, positions);
-        Optional<GltfAccessor> coordinates =
-                attribute(attributes.at("TEXCOORD_" + material.coordinateSet()), 2, positions);
+        Optional<GltfAccessor> colors = attribute(attributes.at("COLOR_0"), COLOR, positions);
+        boolean bumpy = material.material().maps().normal().isPresent();
+        Optional<GltfAccessor> tangents =
+                bumpy && normals.isPresent() ? attribute(attributes.at("TANGENT"), 4, positions) : Optional.empty();
+        if (attributes.at("COLOR_1").exists()) {
+            warnings.add("there are several colors for each vertex; the first are read");
+        }
         used.set(corners, positions.count());
         TriangleSoup soup = new TriangleSoup(used.vertices().length, corners.length / 3);
         // One attribute after the other, because each usually has its own region in the file.
@@ -131,8 +140,12 @@ final class GltfMeshes {
         if (normals.isPresent()) {
             addNormals(soup, normals.get(), used.vertices());
         }
-        if (coordinates.isPresent()) {
-            addCoordinates(soup, coordinates.get(), material.layout(), used.vertices());
+        addCoordinates(soup, attributes, positions, material.coordinates());
+        if (colors.isPresent()) {
+            addColors(soup, colors.get(), used.vertices());
+        }
+        if (tangents.isPresent()) {
+            addTangents(soup, tangents.get(), used.vertices());
         }
         for (int i = 0; i < corners.length; i += 3) {
             soup.triangle(used.number(corners[i]), used.number(corners[i + 1]), used.number(corners[i + 2]));
@@ -146,12 +159,44 @@ final class GltfMeshes {
         }
     }
 
-    private static void addCoordinates(TriangleSoup soup, GltfAccessor coordinates, TextureLayout layout, int[] used)
+    private void addCoordinates(
+            TriangleSoup soup, GltfPlace attributes, GltfAccessor positions, List<GltfTextures.Coordinates> needed)
             throws IOException {
+        List<Optional<GltfAccessor>> sets = new ArrayList<>();
+        for (GltfTextures.Coordinates set : needed) {
+            sets.add(attribute(attributes.at("TEXCOORD_" + set.set()), 2, positions));
+        }
+        if (sets.stream().noneMatch(Optional::isPresent)) {
+            return;
+        }
+        for (int number = 0; number < sets.size(); number++) {
+            TextureLayout layout = needed.get(number).layout();
+            for (int vertex : used.vertices()) {
+                double u = sets.get(number).isPresent() ? sets.get(number).get().get(vertex, 0) : 0;
+                double v = sets.get(number).isPresent() ? sets.get(number).get().get(vertex, 1) : 0;
+                if (number == 0) {
+                    soup.textureCoordinates(layout.u(u, v), layout.v(u, v));
+                } else {
+                    soup.furtherCoordinates(number, layout.u(u, v), layout.v(u, v));
+                }
+            }
+        }
+    }
+
+    private static void addColors(TriangleSoup soup, GltfAccessor colors, int[] used) throws IOException {
         for (int vertex : used) {
-            double u = coordinates.get(vertex, 0);
-            double v = coordinates.get(vertex, 1);
-            soup.textureCoordinates(layout.u(u, v), layout.v(u, v));
+            double opacity = colors.hasFourComponents() ? colors.get(vertex, 3) : 1;
+            soup.color(colors.get(vertex, 0), colors.get(vertex, 1), colors.get(vertex, 2), opacity);
+        }
+    }
+
+    private static void addTangents(TriangleSoup soup, GltfAccessor tangents, int[] used) throws IOException {
+        for (int vertex : used) {
+            for (int axis = 0; axis < 3; axis++) {
+                double value = tangents.get(vertex, axis);
+                soup.tangents.add(Math.abs(value) <= 2 ? (float) value : 0);
+            }
+            soup.tangentSigns.add(tangents.get(vertex, 3) < 0 ? -1 : 1);
         }
     }
 

@@ -11,8 +11,16 @@ import java.util.Set;
 
 /** Reads glTF 2.0 files, as JSON or GLB. */
 final class GltfReader {
-    private static final Set<String> READ =
-            Set.of("KHR_materials_transmission", "KHR_materials_ior", "KHR_texture_transform", "KHR_mesh_quantization");
+    private static final Set<String> READ = Set.of(
+            "KHR_materials_emissive_strength",
+            "KHR_materials_ior",
+            "KHR_materials_pbrSpecularGlossiness",
+            "KHR_materials_specular",
+            "KHR_materials_transmission",
+            "KHR_materials_unlit",
+            "KHR_materials_volume",
+            "KHR_mesh_quantization",
+            "KHR_texture_transform");
 
     /**
      * Starts of the names of extensions that describe no triangles, but looks, images, lights, sounds, behavior and
@@ -90,9 +98,15 @@ final class GltfReader {
         }
         for (GltfPlace used : root.at("extensionsUsed").items()) {
             if (!READ.contains(used.text())) {
-                warnings.add("the extension " + Shown.text(used.text()) + " is not read");
+                warnings.add("the extension " + Shown.text(used.text()) + " is not read" + lost(used.text()));
             }
         }
+    }
+
+    private static String lost(String extension) {
+        return extension.contains("material") || extension.contains("texture")
+                ? "; the colors that it gives are lost"
+                : "";
     }
 
     private void warnOfUnused(GltfPlace root) {

@@ -35,6 +35,7 @@ final class ObjReader {
     private final IntList polygonTextures = new IntList();
     private final SequencedMap<String, Integer> numberByMaterial = new LinkedHashMap<>();
     private final Map<String, Material> defined = new HashMap<>();
+    private final ObjColors colors = new ObjColors();
     private int libraries;
     private int material;
 
@@ -55,6 +56,7 @@ final class ObjReader {
             }
             text.skipLine();
         }
+        colors.addTo(soup);
         soup.warnOfUnusable(warnings);
         MeshAssembly.Assembled assembled = MeshAssembly.assemble(soup, Axes.Y_UP, smoothDegrees);
         if (assembled.meshByMaterial().isEmpty()) {
@@ -106,6 +108,7 @@ final class ObjReader {
         } else {
             soup.missingPosition();
         }
+        colors.read(text, soup.vertices());
         if (soup.vertices() > MeshLimits.VERTICES) {
             throw text.failure("more than " + MeshLimits.VERTICES + " vertices");
         }

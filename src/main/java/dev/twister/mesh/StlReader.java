@@ -84,6 +84,7 @@ final class StlReader {
             int b = vertexAt(at + 12, wrongCount);
             soup.triangle(a, b, vertexAt(at + 24, wrongCount));
         }
+        StlColors.read(bytes, (int) count, soup);
     }
 
     /** @param doubtful whether the file may not be STL at all */

@@ -1,6 +1,8 @@
 package dev.twister.mesh;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Triangles as listed in a file. Positions, normals and texture coordinates have separate numbers, or the same number
@@ -15,6 +17,17 @@ final class TriangleSoup {
     final FloatList normals;
     final FloatList textureCoordinates;
 
+    /** Further sets of texture coordinates, numbered as the first. */
+    final List<FloatList> furtherCoordinates = new ArrayList<>();
+
+    /** Red, green, blue and opacity. */
+    final FloatList colors = new FloatList();
+
+    /** Vectors, and a sign for each; numbered as the positions. */
+    final FloatList tangents = new FloatList();
+
+    final FloatList tangentSigns = new FloatList();
+
     /** Position number per corner. */
     IntList positionOf;
 
@@ -23,6 +36,9 @@ final class TriangleSoup {
 
     /** Texture coordinate number per corner; empty if it equals the position's number. */
     final IntList textureOf = new IntList();
+
+    /** Color number per corner; empty if it equals the position's number. */
+    final IntList colorOf = new IntList();
 
     /** Material number per triangle; empty if all are 0. */
     final IntList materialOf = new IntList();
@@ -80,6 +96,29 @@ final class TriangleSoup {
         textureCoordinates.add(usable(v));
     }
 
+    /** Adds texture coordinates of a further set, from 1 on. */
+    void furtherCoordinates(int set, double u, double v) {
+        while (furtherCoordinates.size() < set) {
+            furtherCoordinates.add(new FloatList());
+        }
+        furtherCoordinates.get(set - 1).add(usable(u));
+        furtherCoordinates.get(set - 1).add(usable(v));
+    }
+
+    /** Adds a linear color; values outside [0, 1] are clamped, unusable ones become 0. */
+    void color(double red, double green, double blue, double opacity) {
+        for (double value : new double[] {red, green, blue, opacity}) {
+            colors.add(value >= 0 ? (float) Math.min(value, 1) : 0);
+        }
+    }
+
+    /** Gives all corners of the triangles from a number on the last color added. */
+    void paint(int firstTriangle) {
+        for (int corner = 3 * firstTriangle; corner < positionOf.size(); corner++) {
+            colorOf.add(colors.size() / 4 - 1);
+        }
+    }
+
     private static float usable(double value) {
         return Math.abs(value) <= TEXTURE_COORDINATE ? (float) value : 0;
     }
@@ -116,6 +155,12 @@ final class TriangleSoup {
         return 2L * index + 1 < textureCoordinates.size() ? index : NONE;
     }
 
+    /** The number of the color at a corner, or {@link #NONE}. */
+    int colorAt(int corner) {
+        int index = colorOf.size() == 0 ? positionOf.get(corner) : colorOf.get(corner);
+        return 4L * index + 3 < colors.size() ? index : NONE;
+    }
+
     int materialAt(int triangle) {
         return materialOf.size() == 0 ? 0 : materialOf.get(triangle);
     }
@@ -124,7 +169,11 @@ final class TriangleSoup {
     void turn(Axes axes) {
         axes.turn(positions.storage(), positions.size());
         axes.turn(normals.storage(), normals.size());
-        for (IntList corners : Arrays.asList(positionOf, normalOf, textureOf)) {
+        axes.turn(tangents.storage(), tangents.size());
+        for (int vertex = 0; vertex < tangentSigns.size(); vertex++) {
+            tangentSigns.set(vertex, -tangentSigns.get(vertex));
+        }
+        for (IntList corners : Arrays.asList(positionOf, normalOf, textureOf, colorOf)) {
             for (int b = 1; b < corners.size(); b += 3) {
                 int swapped = corners.get(b);
                 corners.set(b, corners.get(b + 1));
@@ -151,12 +200,13 @@ final class TriangleSoup {
         positionOf.cut(3 * kept);
         normalOf.cut(Math.min(normalOf.size(), 3 * kept));
         textureOf.cut(Math.min(textureOf.size(), 3 * kept));
+        colorOf.cut(Math.min(colorOf.size(), 3 * kept));
         materialOf.cut(Math.min(materialOf.size(), kept));
         return triangles - kept;
     }
 
     private void move(int from, int to) {
-        for (IntList corners : Arrays.asList(positionOf, normalOf, textureOf)) {
+        for (IntList corners : Arrays.asList(positionOf, normalOf, textureOf, colorOf)) {
             for (int i = 0; i < 3 && corners.size() > 0; i++) {
                 corners.set(3 * to + i, corners.get(3 * from + i));
             }

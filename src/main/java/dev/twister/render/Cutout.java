@@ -70,10 +70,10 @@ final class Cutout {
         for (int value = 0; value < radiance.length; value++) {
             radiance[value] /= Math.max(1, hits[value / CHANNELS]);
         }
-        int[] opaque = TonedPixels.of(radiance, input);
+        TonedPixels.write(radiance, input, argb);
         for (int pixel = 0; pixel < argb.length; pixel++) {
             int alpha = Math.round((float) OPAQUE * hits[pixel] / samples);
-            argb[pixel] = alpha << ALPHA_SHIFT | (opaque[pixel] & COLOR_MASK);
+            argb[pixel] = alpha << ALPHA_SHIFT | (argb[pixel] & COLOR_MASK);
         }
     }
 }

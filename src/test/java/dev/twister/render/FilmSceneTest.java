@@ -69,7 +69,7 @@ class FilmSceneTest {
                 new Sampling(1, Optional.empty()),
                 PicturePart.WHOLE,
                 movement,
-                false,
+                Finishing.NONE,
                 new RenderOutput(
                         Path.of("f.png"),
                         Optional.of(FrameRange.ofCount(1000)),

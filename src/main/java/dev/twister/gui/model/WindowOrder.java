@@ -4,6 +4,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.render.Background;
 import dev.twister.render.BodyMotion;
 import dev.twister.render.ExistingFrames;
+import dev.twister.render.Finishing;
 import dev.twister.render.Movement;
 import dev.twister.render.PicturePart;
 import dev.twister.render.RenderOrder;
@@ -56,6 +57,7 @@ public final class WindowOrder {
         // The last stage is the picture itself, which files and commands call by this name.
         Picture named = picture == Picture.REFLECTIONS ? Picture.BEAUTY : picture;
         Sampling sampling = new Sampling(scene.rendering().samplesPerPixel(), Optional.empty());
-        return new RenderOrder(scene, engine, List.of(named), sampling, PicturePart.WHOLE, movement, false, output);
+        return new RenderOrder(
+                scene, engine, List.of(named), sampling, PicturePart.WHOLE, movement, Finishing.NONE, output);
     }
 }
