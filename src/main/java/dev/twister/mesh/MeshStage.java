@@ -54,10 +54,12 @@ public final class MeshStage {
      * @param file the mesh file
      * @param held its content
      * @param skybox the panorama's file
+     * @param pose how the mesh stands
      * @throws MeshException if the mesh cannot be scaled so far
      */
-    public static Scene of(Path file, MeshFile held, Path skybox) {
-        Box bounds = held.bounds();
+    public static Scene of(Path file, MeshFile held, Path skybox, MeshPose pose) {
+        Mesh turned = Mesh.of(file).withRotation(pose.rotation(file));
+        Box bounds = held.bounds(MeshPlacement.of(turned));
         Vector3 half = bounds.half();
         double largest = 2 * Math.max(half.x(), Math.max(half.y(), half.z()));
         double scale = LARGEST_SIDE / largest;
@@ -82,7 +84,6 @@ public final class MeshStage {
                 .withLights(Lights.of(LIGHT))
                 .withRendering(Rendering.DEFAULT.withShadows(SHADOW_SAMPLES))
                 .withGround(Ground.of(PLANE_SIZE, PLANE_HEIGHT, BRIGHT, DARK, 0))
-                .withMeshes(List.of(
-                        Mesh.of(file).withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES)));
+                .withMeshes(List.of(turned.withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES)));
     }
 }
