@@ -81,7 +81,7 @@ public final class PathTracer {
         }
         if (direct == 0) {
             if (body == Layout.NOTHING) {
-                addSky(path, bounce, frame, looks, images);
+                addSky(path, bounce, frame, looks, images, variant);
             }
             if (body > Layout.NOTHING) {
                 meet(path, body, frame, bodies, looks, meshes, images, variant);
@@ -90,6 +90,7 @@ public final class PathTracer {
             int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
             if (isSurface != 0) {
                 toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
+                Guides.trace(path, variant);
             }
             goesOn = isSurface != 0 ? carriesLight(path) : 0;
             Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
@@ -140,13 +141,14 @@ public final class PathTracer {
         return 1f / (1f + ratio * ratio);
     }
 
-    private static void addSky(float[] path, int bounce, float[] frame, float[] looks, float[] images) {
+    private static void addSky(float[] path, int bounce, float[] frame, float[] looks, float[] images, int variant) {
         float weight = 1f;
         if (path[Layout.SURFACE_DENSITY] > 0f) {
             weight = weight(path[Layout.SURFACE_DENSITY], Emitter.skyDensity(path, frame, looks, images));
         }
         SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
         add(path, weight, bounce > 1 ? 1 : 0, frame);
+        Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
     }
 
     private static void addEmission(
@@ -161,6 +163,7 @@ public final class PathTracer {
                 path[Layout.EMITTED + channel] = Emitter.emission(path, body, channel, looks, variant);
             }
             add(path, weight, bounce > 1 ? 1 : 0, frame);
+            Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
         }
     }
 
@@ -219,7 +222,7 @@ public final class PathTracer {
                     + path[Layout.TO_LIGHT + 2] * path[Layout.NORMAL + 2];
             float inside = path[Layout.FROM_INSIDE];
             int crosses = (side < 0f ? 1 : 0) & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
-            path[Layout.INSIDE] = crosses != 0 ? 1f - inside : inside;
+            path[Layout.INSIDE] = crosses != 0 ? Branch.crossed(inside > 0f ? 0 : 1) : inside;
             for (int axis = 0; axis < 3; axis++) {
                 path[Layout.DIRECTION + axis] = path[Layout.TO_LIGHT + axis];
             }

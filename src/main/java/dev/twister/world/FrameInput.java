@@ -1,6 +1,7 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Aspect;
+import dev.twister.kernel.Guides;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
 import java.util.Arrays;
@@ -171,6 +172,16 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
      */
     public FrameInput showing(Picture picture) {
         return with(view.showing(picture));
+    }
+
+    /** The same picture with guides of denoising as layers, see {@link #layers}; for linear frames alone. */
+    public FrameInput withGuides() {
+        return with(new View(view.frame(), Aspect.GUIDED));
+    }
+
+    /** Number of layers of a linear frame beside the radiance: albedo and normal if there are guides. */
+    public int layers() {
+        return aspect() == Aspect.GUIDED ? Guides.LAYERS : 0;
     }
 
     private FrameInput with(View newView) {

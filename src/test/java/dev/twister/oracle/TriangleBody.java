@@ -87,6 +87,13 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
         return ray.direction().dot(face()) > 0 ? face().times(-1) : face();
     }
 
+    /** Whether a ray starts in the triangle's plane, as exactly as floats place it: it leaves a coincident surface. */
+    private boolean startsInPlane(Ray ray) {
+        Vector fromCorner = ray.origin().minus(corners[0].place());
+        double size = ray.origin().length() + corners[0].place().length();
+        return Math.abs(face().normalized().dot(fromCorner)) <= 0x1p-22 * size;
+    }
+
     /** Intersects from either side (Moeller and Trumbore 1997). */
     @Override
     public double distance(Ray ray) {
@@ -97,7 +104,7 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
         Vector along = fromCorner.cross(edge(1));
         double c = ray.direction().dot(along) / determinant;
         double distance = edge(2).dot(along) / determinant;
-        boolean met = b >= 0 && c >= 0 && b + c <= 1 && distance > 0;
+        boolean met = b >= 0 && c >= 0 && b + c <= 1 && distance > 0 && !startsInPlane(ray);
         return met && !(maps.cuts() && opacity(ray.at(distance)) < maps.alpha().cutoff()) ? distance : MISS;
     }
 
