@@ -100,8 +100,7 @@ record Emitters(float[] looks, float[] images, int table, int count, int sky, in
         }
     }
 
-    private static void addTriangles(
-            Bodies bodies, float[] looks, EmissionMeans means, List<Emitter> emitters) {
+    private static void addTriangles(Bodies bodies, float[] looks, EmissionMeans means, List<Emitter> emitters) {
         float[] floats = bodies.floats();
         int first = Instance.at(0, bodies.instances(), floats);
         for (int instance = 0; first + Layout.INSTANCE_STRIDE * instance < floats.length; instance++) {

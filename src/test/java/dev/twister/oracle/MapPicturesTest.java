@@ -62,18 +62,14 @@ class MapPicturesTest {
         Maps none = Maps.NONE;
         return Stream.of(
                 of("vertex colors", MATTE),
-                of(
-                        "clamped",
-                        mapped(TEXTURED, none.withTexture(new Sampler(Wrap.CLAMP, Wrap.MIRROR, false, 0)))),
+                of("clamped", mapped(TEXTURED, none.withTexture(new Sampler(Wrap.CLAMP, Wrap.MIRROR, false, 0)))),
                 of("nearest", mapped(TEXTURED, none.withTexture(new Sampler(Wrap.MIRROR, Wrap.REPEAT, true, 0)))),
                 of(
                         "emission",
                         mapped(MATTE.withEmission(Emission.NONE.withColor(new Rgb(1, 2, 3))), none.withEmission(MAP))),
                 of("metal and roughness", mapped(GLTF, none.withRoughness(MAP).withMetallic(MAP))),
                 of("normals", mapped(MATTE.withReflectivity(30), none.withNormal(MAP))),
-                of(
-                        "scaled normals",
-                        mapped(MATTE, none.withNormal(MAP.map(map -> map.withScale(0.4))))),
+                of("scaled normals", mapped(MATTE, none.withNormal(MAP.map(map -> map.withScale(0.4))))),
                 of("occlusion", mapped(MATTE, none.withOcclusion(MAP.map(map -> map.withScale(0.7))))),
                 of("mask", TEXTURED.withAlpha(new Alpha(Alpha.Mode.MASK, 1, 0.5))),
                 of("blended", TEXTURED.withAlpha(new Alpha(Alpha.Mode.BLEND, 0.9, 0.5))),
@@ -121,10 +117,8 @@ class MapPicturesTest {
                 .withCamera(Camera.of(new Vector3(0.8, 1.2, -5), 3, 8, 46))
                 .withLights(Lights.of(Light.of(new Vector3(-3, 5, -4), 0.5, new Rgb(1, 1, 1))))
                 .withGround(Ground.of(20, -1, new Rgb(0.7, 0.7, 0.7), new Rgb(0.3, 0.3, 0.3), 10))
-                .withRendering(Rendering.DEFAULT
-                        .withSize(WIDTH, HEIGHT)
-                        .withShadows(6)
-                        .withBounces(4))
+                .withRendering(
+                        Rendering.DEFAULT.withSize(WIDTH, HEIGHT).withShadows(6).withBounces(4))
                 .withMeshes(List.of(Mesh.of(FILE)));
         SceneImages images = new SceneImages(SKY, Map.of(IMAGE, image(random, false), TEXTURE, image(random, true)));
         return new LitScene(scene, images, SceneMeshes.of(scene, _ -> file));

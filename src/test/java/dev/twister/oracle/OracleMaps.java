@@ -44,9 +44,10 @@ record OracleMaps(
                 maps.normal().map(ImageMap::scale).orElse(1.0),
                 numbers(maps.occlusion(), images),
                 maps.occlusion().map(ImageMap::scale).orElse(1.0),
-                numbers(maps.alpha(), images).or(() -> material.texture()
-                        .map(file -> opacity(image(file, images)))
-                        .map(picture -> new OracleTexture(picture, maps.texture()))),
+                numbers(maps.alpha(), images)
+                        .or(() -> material.texture()
+                                .map(file -> opacity(image(file, images)))
+                                .map(picture -> new OracleTexture(picture, maps.texture()))),
                 material.alpha(),
                 material.unlit());
     }
@@ -79,7 +80,9 @@ record OracleMaps(
 
     /** @param vertex opacity of the vertices there */
     double opacity(double u, double v, double vertex) {
-        return alpha.factor() * vertex * opacity.map(map -> map.color(u, v).red()).orElse(1.0);
+        return alpha.factor()
+                * vertex
+                * opacity.map(map -> map.color(u, v).red()).orElse(1.0);
     }
 
     boolean cuts() {
@@ -92,17 +95,21 @@ record OracleMaps(
 
     /** What multiplies the ambient light. */
     double open(double u, double v) {
-        return 1 + occlusionStrength * (occlusion.map(map -> map.color(u, v).red()).orElse(1.0) - 1);
+        return 1
+                + occlusionStrength
+                        * (occlusion.map(map -> map.color(u, v).red()).orElse(1.0) - 1);
     }
 
     /** A material where the maps have these coordinates. */
     OracleMaterial at(OracleMaterial material, double u, double v, double vertexOpacity) {
         double rough = material.roughness()
                 * roughness.map(map -> map.color(u, v).green()).orElse(1.0);
-        double metal = material.metallic() * metallic.map(map -> map.color(u, v).blue()).orElse(1.0);
+        double metal = material.metallic()
+                * metallic.map(map -> map.color(u, v).blue()).orElse(1.0);
         boolean derived = material.byFresnel() && (metal > 0 || material.transmission() == 0);
         double reflectivity = derived ? (5 + 91 * metal) * (1 - rough) : material.reflectivity();
-        Color emitted = material.emission().times(emission.map(map -> map.color(u, v)).orElse(new Color(1, 1, 1)));
+        Color emitted =
+                material.emission().times(emission.map(map -> map.color(u, v)).orElse(new Color(1, 1, 1)));
         double opacity = blends() ? opacity(u, v, vertexOpacity) : 1;
         return new OracleMaterial(
                 material.color(),

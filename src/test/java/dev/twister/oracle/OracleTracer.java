@@ -114,7 +114,8 @@ final class OracleTracer {
                         triangles.textureCoordinates().length == 0 ? material.withoutImages() : material, images);
                 boolean colored = mesh.material().isEmpty();
                 for (int triangle = 0; triangle < triangles.triangles(); triangle++) {
-                    bodies.add(TriangleBody.of(number, triangles, triangle, placement.of(part.placement()), made, maps, colored));
+                    bodies.add(TriangleBody.of(
+                            number, triangles, triangle, placement.of(part.placement()), made, maps, colored));
                 }
                 number++;
             }
@@ -205,7 +206,8 @@ final class OracleTracer {
             Vector passed = isSheet
                     ? reflected.minus(place.normal().times(2 * reflected.dot(place.normal())))
                     : Fresnel.refracted(ray.direction(), facet, ratio).normalized();
-            Color passedPart = body.passing(place.point()).times(passing * (1 - reflectance) * weight(place, passed, -1));
+            Color passedPart =
+                    body.passing(place.point()).times(passing * (1 - reflectance) * weight(place, passed, -1));
             boolean isInside = !isSheet && !place.fromInside();
             color = color.plus(branch(place, passed, isInside, passedPart, bounce, throughput, numbers));
         }

@@ -165,7 +165,8 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
 
     @Override
     public boolean emits(Ray ray, boolean fromInside) {
-        return (material.emits() || maps.unlit()) && (material.emitsInward() || ray.direction().dot(face()) < 0);
+        return (material.emits() || maps.unlit())
+                && (material.emitsInward() || ray.direction().dot(face()) < 0);
     }
 
     private double u(Vector point) {
@@ -205,9 +206,21 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
 
     private Color base(Vector point) {
         Color vertex = new Color(
-                between(point, corners[0].color().red(), corners[1].color().red(), corners[2].color().red()),
-                between(point, corners[0].color().green(), corners[1].color().green(), corners[2].color().green()),
-                between(point, corners[0].color().blue(), corners[1].color().blue(), corners[2].color().blue()));
+                between(
+                        point,
+                        corners[0].color().red(),
+                        corners[1].color().red(),
+                        corners[2].color().red()),
+                between(
+                        point,
+                        corners[0].color().green(),
+                        corners[1].color().green(),
+                        corners[2].color().green()),
+                between(
+                        point,
+                        corners[0].color().blue(),
+                        corners[1].color().blue(),
+                        corners[2].color().blue()));
         return material.textured(material.color().times(vertex), u(point), v(point));
     }
 

@@ -22,7 +22,10 @@ final class AlphaRules {
             for (int i = 0; i < scene.spheres().size(); i++) {
                 Material material = scene.spheres().get(i).material();
                 if (!isOpaque(material)) {
-                    check(material, spheres.items(0, scene.spheres().size(), "", Function.identity()).get(i));
+                    check(
+                            material,
+                            spheres.items(0, scene.spheres().size(), "", Function.identity())
+                                    .get(i));
                 }
             }
         });

@@ -91,8 +91,7 @@ record MaterialFormat(List<Field<Material, ?>> fields) {
 
     /** Of bodies that have their colors from elsewhere. */
     static MaterialFormat uncolored(FilePath file) {
-        return new MaterialFormat(
-                Stream.concat(NUMBERS.stream(), images(file)).toList());
+        return new MaterialFormat(Stream.concat(NUMBERS.stream(), images(file)).toList());
     }
 
     /** The same fields, any of which may be left out. */
@@ -109,8 +108,7 @@ record MaterialFormat(List<Field<Material, ?>> fields) {
     }
 
     private static Stream<Field<Material, ?>> images(FilePath file) {
-        ValueType<Optional<ImageMap>> map =
-                ValueType.present(new Converted<>(file, ImageMap::of, ImageMap::file));
+        ValueType<Optional<ImageMap>> map = ValueType.present(new Converted<>(file, ImageMap::of, ImageMap::file));
         return Stream.of(
                 sparse("texture", ValueType.present(file), Material::texture, Material::withTexture)
                         .from(2),
