@@ -129,7 +129,7 @@ final class RenderCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         film.check(motion);
         samples.check(picture.pictures());
-        part.check(output, samples);
+        part.check(output, samples, picture.pictures().size());
         denoising.check(output, picture.pictures(), part);
         PictureOutput.checkPlace(output);
         Path file = SceneFiles.find(sceneName);
@@ -247,13 +247,25 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private static String samplesOf(BandedDrawing.Drawn drawn, double bound) {
-        String samples = drawn.fewestSamples() == drawn.mostSamples()
-                ? Integer.toString(drawn.mostSamples())
-                : drawn.fewestSamples() + " to " + drawn.mostSamples();
+        double fewest = Double.MAX_VALUE;
+        double most = 0;
+        double sum = 0;
+        for (float samples : drawn.samples()) {
+            fewest = Math.min(fewest, samples);
+            most = Math.max(most, samples);
+            sum += samples;
+        }
         return String.format(
                 Locale.ROOT,
                 ", %s samples per pixel, noise %.2g%s",
-                samples,
+                fewest == most
+                        ? "%.0f".formatted(most)
+                        : String.format(
+                                Locale.ROOT,
+                                "%.0f to %.0f, on average %.0f,",
+                                fewest,
+                                most,
+                                sum / drawn.samples().length),
                 drawn.noise(),
                 drawn.noise() > bound ? "; raise --samples to reach " + bound : "");
     }
