@@ -25,6 +25,10 @@ final class DenoisingOptions {
                             + " for 'twister denoise' and 'twister join --denoise'.")
     private boolean guides;
 
+    boolean isOn() {
+        return denoise;
+    }
+
     /** Rejects options that exclude denoising. */
     void check(Path output, List<Picture> pictures, PartOptions part) {
         if ((denoise || guides) && pictures.stream().noneMatch(Finishing::isFull)) {

@@ -144,9 +144,14 @@ public final class Branch {
                     * (passes != 0 ? path[Layout.PASSING + i] : Scatter.tint(path, i, Variant.MATERIALS));
         }
         ray[first + Layout.LEAVING] = body;
-        ray[first + Layout.INSIDE] = inside;
+        ray[first + Layout.INSIDE] = passes != 0 ? crossed(inside) : inside;
         ray[first + Layout.LEAVING_TRIANGLE] = path[Layout.LEAVING_TRIANGLE];
         ray[first + Layout.BOUNCE] = path[Layout.BOUNCE];
+    }
+
+    /** {@link Layout#INSIDE} of a ray that has crossed a surface. */
+    static float crossed(int inside) {
+        return inside != 0 ? Layout.CROSSED_INTO : Layout.CROSSED_OUT;
     }
 
     /** Applies the weight of the facet sample on a rough surface; 0 for directions on the wrong side. */

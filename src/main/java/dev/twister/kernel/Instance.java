@@ -13,6 +13,14 @@ public final class Instance {
         return vector(bodies, row, x, y, z) + bodies[row + 3];
     }
 
+    /** The sum of the magnitudes that {@link #point} adds, in whose units in the last place it is rounded. */
+    public static float reach(float[] bodies, int row, float x, float y, float z) {
+        return Math.abs(bodies[row] * x)
+                + Math.abs(bodies[row + 1] * y)
+                + Math.abs(bodies[row + 2] * z)
+                + Math.abs(bodies[row + 3]);
+    }
+
     /** One component of a transformed vector. */
     public static float vector(float[] bodies, int row, float x, float y, float z) {
         return bodies[row] * x + bodies[row + 1] * y + bodies[row + 2] * z;

@@ -377,15 +377,23 @@ public final class Layout {
     public static final int SCRATCH_LENGTH = SCRATCH_RAYS + RAY_STRIDE * MOST_WAITING_RAYS;
 
     /**
-     * {@code float[] path}, one per thread: the ray; the body that it leaves, whether it continues inside that body (1,
-     * else 0), and that body's triangle; the throughput per channel, which is the part of the radiance found from here
-     * on that reaches the pixel.
+     * {@code float[] path}, one per thread: the ray; the body that it leaves, whether it continues inside that body
+     * (above 0), and that body's triangle; the throughput per channel, which is the part of the radiance found from
+     * here on that reaches the pixel.
      */
     public static final int ORIGIN = 0;
 
     public static final int DIRECTION = 3;
     public static final int LEAVING = 6;
     public static final int INSIDE = 7;
+
+    /**
+     * Values of {@link #INSIDE} of a ray that has crossed the surface that it leaves: it meets other bodies' surfaces
+     * in the same place, such as the table below a glass.
+     */
+    public static final float CROSSED_INTO = 2f;
+
+    public static final float CROSSED_OUT = -1f;
 
     /** The triangle that the ray leaves, if the body is a mesh. */
     public static final int LEAVING_TRIANGLE = 8;
@@ -472,80 +480,86 @@ public final class Layout {
     /** The direction's components along the two other axes divided by the dominant one, and the inverse of that. */
     public static final int MESH_SHEAR = 69;
 
-    /** How much of a metal the surface is, and whether Fresnel's equations decide what it reflects (1, else 0). */
-    public static final int METALLIC = 72;
+    /**
+     * The largest sum of magnitudes of the terms of the origin's coordinates, on which their rounding depends; negative
+     * if the ray meets a surface in which it starts.
+     */
+    public static final int MESH_REACH = 72;
 
-    public static final int IS_FRESNEL = 73;
+    /** How much of a metal the surface is, and whether Fresnel's equations decide what it reflects (1, else 0). */
+    public static final int METALLIC = 73;
+
+    public static final int IS_FRESNEL = 74;
 
     /** With several lights: the body of the one that shades, and the sum of their highlights. */
-    public static final int SHADING_LIGHT = 74;
+    public static final int SHADING_LIGHT = 75;
 
-    public static final int HIGHLIGHT = 75;
+    public static final int HIGHLIGHT = 76;
 
     /** What multiplies light that passes the surface. */
-    public static final int PASSING = 78;
+    public static final int PASSING = 79;
 
     /** With {@link Variant#MAPS}: emitted radiance; what multiplies the ambient light. */
-    public static final int EMISSION = 81;
+    public static final int EMISSION = 82;
 
-    public static final int OCCLUSION = 84;
+    public static final int OCCLUSION = 85;
 
     /** Barycentric weights of the hit triangle's second and third corner. */
-    public static final int CORNER_PARTS = 85;
+    public static final int CORNER_PARTS = 86;
 
     /** The hit point's place in a map, in texels from the first one's center. */
-    public static final int TEXEL = 87;
+    public static final int TEXEL = 88;
 
     /** Directions of a normal map's right and upper border on the surface, of any length. */
-    public static final int TANGENT = 89;
+    public static final int TANGENT = 90;
 
-    public static final int UPWARD = 92;
+    public static final int UPWARD = 93;
 
-    public static final int PATH_LENGTH = 95;
+    public static final int PATH_LENGTH = 96;
 
     /** For path tracing: index of refraction on the ray's side divided by that on the other side. */
-    public static final int RATIO = 95;
+    public static final int RATIO = 96;
 
     /** 1 for the plane, which has no inside, else 0. */
-    public static final int IS_SHEET = 96;
+    public static final int IS_SHEET = 97;
 
     /** Weights of the constant reflection, of the dielectric one, of the matte part and of transmission. */
-    public static final int PART_MIRROR = 97;
+    public static final int PART_MIRROR = 98;
 
-    public static final int PART_COAT = 98;
-    public static final int PART_MATTE = 99;
-    public static final int PART_GLASS = 100;
+    public static final int PART_COAT = 99;
+    public static final int PART_MATTE = 100;
+    public static final int PART_GLASS = 101;
 
     /** Probabilities of the lobes. */
-    public static final int CHOICE_MIRROR = 101;
+    public static final int CHOICE_MIRROR = 102;
 
-    public static final int CHOICE_MATTE = 102;
-    public static final int CHOICE_GLASS = 103;
+    public static final int CHOICE_MATTE = 103;
+    public static final int CHOICE_GLASS = 104;
 
     /** {@code f * |cos|} per channel. */
-    public static final int SCATTERED = 104;
+    public static final int SCATTERED = 105;
 
     /** Density per steradian with which the surface chose the path's ray; 0 if it had no choice. */
-    public static final int SURFACE_DENSITY = 107;
+    public static final int SURFACE_DENSITY = 108;
 
     /** The next ray: its direction, and whether it is inside the body (1, else 0). */
-    public static final int NEXT_DIRECTION = 108;
+    public static final int NEXT_DIRECTION = 109;
 
-    public static final int NEXT_INSIDE = 111;
+    public static final int NEXT_INSIDE = 112;
 
     /** Density per steradian of the chosen emitter's direction, its radiance, and what it adds unless blocked. */
-    public static final int LIGHT_DENSITY = 112;
+    public static final int LIGHT_DENSITY = 113;
 
-    public static final int EMITTED = 113;
-    public static final int DIRECT = 116;
+    public static final int EMITTED = 114;
+    public static final int DIRECT = 117;
 
     /** Unit normal of the chosen triangle. */
-    public static final int EMITTER_FACE = 119;
+    public static final int EMITTER_FACE = 120;
 
     /** Number of rays followed so far, if the opacity of meshes is a matter of chance. */
-    public static final int RAYS = 122;
+    public static final int RAYS = 123;
 
-    public static final int TRACED_PATH_LENGTH = 123;
+    public static final int TRACED_PATH_LENGTH = 124;
 
     /** With {@link Guides}: the sums over the pixel's samples. */
     public static final int GUIDE_ALBEDO = TRACED_PATH_LENGTH;

@@ -109,6 +109,9 @@ final class MeshHit {
         int nodes = Instance.nodes(bodies, instance);
         int triangles = Instance.triangles(bodies, instance);
         int body = (int) bodies[instance + Layout.INSTANCE_BODY];
+        int crossed = (path[Layout.INSIDE] < 0f ? 1 : 0) | (path[Layout.INSIDE] > 1f ? 1 : 0);
+        int meetsTouching = crossed & (body == (int) path[Layout.LEAVING] ? 0 : 1);
+        path[Layout.MESH_REACH] = meetsTouching != 0 ? -path[Layout.MESH_REACH] : path[Layout.MESH_REACH];
         int ignored = body == (int) path[Layout.LEAVING] ? (int) path[Layout.LEAVING_TRIANGLE] : Layout.NOTHING;
         int hit = closest;
         float distance = path[Layout.DISTANCE];

@@ -37,7 +37,10 @@ public final class MeshSurface {
         float z = between(triangle + 2, 3, b, c, meshes);
         int back = instance + Layout.INSTANCE_TO_WORLD;
         path[Layout.POINT] = Instance.point(bodies, back, x, y, z);
-        path[Layout.POINT + 1] = Instance.point(bodies, back + 4, x, y, z);
+        path[Layout.POINT + 1] = onPlane(
+                Instance.point(bodies, back + 4, x, y, z),
+                Instance.reach(bodies, back + 4, x, y, z),
+                bodies[Layout.PLACE_STRIDE * Layout.PLANE + 1]);
         path[Layout.POINT + 2] = Instance.point(bodies, back + 8, x, y, z);
         writeFace(path, Layout.FACE, instance, triangle, bodies, meshes);
         writeNormal(path, instance, triangle, b, c, bodies, meshes);
@@ -47,6 +50,14 @@ public final class MeshSurface {
             path[Layout.CORNER_PARTS + 1] = c;
         }
         path[Layout.LEAVING_TRIANGLE] = path[Layout.TRIANGLE];
+    }
+
+    /**
+     * The height of a point: the plane's where rounding cannot tell them apart. A ray that leaves the point does not
+     * meet the plane then, nor does a shadow ray.
+     */
+    private static float onPlane(float y, float reach, float height) {
+        return Math.abs(y - height) <= Triangle.ROUNDING * (reach + Math.abs(height)) ? height : y;
     }
 
     /** Interpolates one coordinate of the corners, which are {@code stride} apart. */

@@ -222,7 +222,7 @@ public final class PathTracer {
                     + path[Layout.TO_LIGHT + 2] * path[Layout.NORMAL + 2];
             float inside = path[Layout.FROM_INSIDE];
             int crosses = (side < 0f ? 1 : 0) & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
-            path[Layout.INSIDE] = crosses != 0 ? 1f - inside : inside;
+            path[Layout.INSIDE] = crosses != 0 ? Branch.crossed(inside > 0f ? 0 : 1) : inside;
             for (int axis = 0; axis < 3; axis++) {
                 path[Layout.DIRECTION + axis] = path[Layout.TO_LIGHT + axis];
             }

@@ -1,6 +1,7 @@
 package dev.twister.mesh;
 
 import dev.twister.scene.Material;
+import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -13,10 +14,16 @@ final class MeshAssembly {
     /**
      * The result.
      *
+     * @param center what the positions are relative to
      * @param meshByMaterial meshes with at least one triangle, by the number of the material in ascending order
      * @param degenerateTriangles number of dropped triangles without area
      */
-    record Assembled(SequencedMap<Integer, TriangleMesh> meshByMaterial, int degenerateTriangles) {
+    record Assembled(Vector3 center, SequencedMap<Integer, TriangleMesh> meshByMaterial, int degenerateTriangles) {
+        /** The transform from the meshes' coordinates to the file's, in Twister's axes. */
+        Affine placement() {
+            return Affine.moving(center);
+        }
+
         /** A file with a single material. */
         MeshFile file(String name, Bytes bytes, Material material) {
             if (meshByMaterial.isEmpty()) {
@@ -24,7 +31,7 @@ final class MeshAssembly {
             }
             return new MeshFile(
                     List.copyOf(meshByMaterial.values()),
-                    List.of(new MeshPart(name, 0, Affine.IDENTITY, material)),
+                    List.of(new MeshPart(name, 0, placement(), material)),
                     Map.of(),
                     degenerateTriangles);
         }
@@ -56,6 +63,7 @@ final class MeshAssembly {
      * reused.
      */
     static Assembled assemble(TriangleSoup soup, Axes axes, double smoothDegrees) {
+        Vector3 center = axes.turned(soup.center());
         soup.turn(axes);
         int degenerate = soup.dropDegenerate();
         MissingNormals.make(soup, smoothDegrees);
@@ -67,7 +75,7 @@ final class MeshAssembly {
         } else if (soup.triangles() > 0) {
             byMaterial(soup, meshes);
         }
-        return new Assembled(meshes, degenerate);
+        return new Assembled(center, meshes, degenerate);
     }
 
     private static void byMaterial(TriangleSoup soup, SequencedMap<Integer, TriangleMesh> meshes) {
@@ -168,7 +176,7 @@ final class MeshAssembly {
 
     private void addVertex(int position, int normal, int texture, int color) {
         for (int axis = 0; axis < 3; axis++) {
-            positions.add(soup.positions.get(3 * position + axis));
+            positions.add(soup.places.get(3 * position + axis));
         }
         for (int axis = 0; smooth && axis < 3; axis++) {
             normals.add(soup.normals.get(3 * normal + axis));

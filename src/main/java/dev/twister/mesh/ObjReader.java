@@ -66,7 +66,7 @@ final class ObjReader {
         List<MeshPart> parts = new ArrayList<>();
         for (int number : assembled.meshByMaterial().keySet()) {
             String name = names.get(number);
-            parts.add(new MeshPart(name, parts.size(), Affine.IDENTITY, material(name)));
+            parts.add(new MeshPart(name, parts.size(), assembled.placement(), material(name)));
         }
         return new MeshFile(
                 List.copyOf(assembled.meshByMaterial().values()), parts, Map.of(), assembled.degenerateTriangles());

@@ -1,5 +1,6 @@
 package dev.twister.mesh;
 
+import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -13,7 +14,12 @@ final class TriangleSoup {
 
     private static final double TEXTURE_COORDINATE = 1e6;
 
-    final FloatList positions;
+    /** As in the file, until {@link #center} is called. */
+    final DoubleList positions;
+
+    /** The positions relative to their center, in Twister's axes; empty until {@link #center} is called. */
+    final FloatList places = new FloatList();
+
     final FloatList normals;
     final FloatList textureCoordinates;
 
@@ -47,7 +53,7 @@ final class TriangleSoup {
 
     /** With initial capacity for a number of vertices and triangles. */
     TriangleSoup(int vertices, int triangles) {
-        positions = new FloatList(3 * vertices);
+        positions = new DoubleList(3 * vertices);
         normals = new FloatList();
         textureCoordinates = new FloatList();
         positionOf = new IntList(3 * triangles);
@@ -62,9 +68,9 @@ final class TriangleSoup {
     }
 
     void position(double x, double y, double z) {
-        positions.add((float) x);
-        positions.add((float) y);
-        positions.add((float) z);
+        positions.add(x);
+        positions.add(y);
+        positions.add(z);
     }
 
     /** Adds a position that the file spoils; triangles with it are dropped as degenerate. */
@@ -165,9 +171,34 @@ final class TriangleSoup {
         return materialOf.size() == 0 ? 0 : materialOf.get(triangle);
     }
 
+    /**
+     * Makes the positions floats. Where triangles are far from the file's origin for their size, floats would be too
+     * coarse, so they become relative to a center.
+     *
+     * @return the center in the file's axes, {@link Vector3#ZERO} for triangles near the origin
+     */
+    Vector3 center() {
+        Box bounds = Box.NONE;
+        for (int corner = 0; corner < positionOf.size(); corner++) {
+            Vector3 point = at(positionOf.get(corner));
+            bounds = Double.isNaN(point.x()) ? bounds : bounds.with(point);
+        }
+        Vector3 center = SoupCenter.of(bounds);
+        for (int vertex = 0; vertex < vertices(); vertex++) {
+            places.add((float) (positions.get(3 * vertex) - center.x()));
+            places.add((float) (positions.get(3 * vertex + 1) - center.y()));
+            places.add((float) (positions.get(3 * vertex + 2) - center.z()));
+        }
+        return center;
+    }
+
+    private Vector3 at(int vertex) {
+        return new Vector3(positions.get(3 * vertex), positions.get(3 * vertex + 1), positions.get(3 * vertex + 2));
+    }
+
     /** Converts all vectors, and restores the winding of the triangles. */
     void turn(Axes axes) {
-        axes.turn(positions.storage(), positions.size());
+        axes.turn(places.storage(), places.size());
         axes.turn(normals.storage(), normals.size());
         axes.turn(tangents.storage(), tangents.size());
         for (int vertex = 0; vertex < tangentSigns.size(); vertex++) {
@@ -185,12 +216,12 @@ final class TriangleSoup {
     /** Drops triangles without area; returns their number. */
     int dropDegenerate() {
         Face face = new Face();
-        float[] places = positions.storage();
+        float[] floats = places.storage();
         int kept = 0;
         int triangles = triangles();
         for (int triangle = 0; triangle < triangles; triangle++) {
             int corner = 3 * triangle;
-            if (face.set(places, positionOf.get(corner), positionOf.get(corner + 1), positionOf.get(corner + 2))) {
+            if (face.set(floats, positionOf.get(corner), positionOf.get(corner + 1), positionOf.get(corner + 2))) {
                 if (kept < triangle) {
                     move(triangle, kept);
                 }

@@ -38,7 +38,8 @@ final class PictureDrawing implements AutoCloseable {
     /** How the file of a picture is made; equal for all of its parts, except their samples. */
     Provenance provenance(FrameInput whole) {
         String software = "Twister " + TwisterVersion.text();
-        String drawn = order.pictures().stream().map(Picture::id).collect(Collectors.joining(","));
+        String drawn = order.pictures().stream().map(Picture::id).collect(Collectors.joining(","))
+                + (order.output().background() == Background.NONE ? ", no background" : "");
         return new Provenance(
                 software,
                 digest.of(
@@ -52,14 +53,22 @@ final class PictureDrawing implements AutoCloseable {
         FrameInput input = order.part().of(whole);
         List<DrawnAspect> drawn = new ArrayList<>();
         for (Picture wanted : order.pictures()) {
-            boolean guided = order.finishing().guides(wanted);
-            boolean asRadiance = order.output().isLinear() || !wanted.isColor() || guided;
-            FrameInput shown = guided ? input.showing(wanted).withGuides() : input.showing(wanted);
-            BandedDrawing.Drawn picture = BandedDrawing.draw(engine(), shown, order.sampling(), asRadiance, progress);
-            List<ExrChannel> samples = samples(picture.samples());
-            drawn.add(guided ? finished(wanted, shown, picture, samples) : new DrawnAspect(wanted, picture, samples));
+            drawn.add(draw(wanted, input.showing(wanted), progress));
         }
         return drawn;
+    }
+
+    private DrawnAspect draw(Picture wanted, FrameInput input, RenderProgress progress) {
+        if (order.output().background() == Background.NONE) {
+            return new DrawnAspect(
+                    wanted, Cutout.draw(engine(), input, order.sampling().samples(), progress), List.of());
+        }
+        boolean guided = order.finishing().guides(wanted);
+        boolean asRadiance = order.output().isLinear() || !wanted.isColor() || guided;
+        FrameInput shown = guided ? input.withGuides() : input;
+        BandedDrawing.Drawn picture = BandedDrawing.draw(engine(), shown, order.sampling(), asRadiance, progress);
+        List<ExrChannel> samples = samples(picture.samples());
+        return guided ? finished(wanted, shown, picture, samples) : new DrawnAspect(wanted, picture, samples);
     }
 
     /** The number of samples of each pixel, if they differ and there is one picture alone. */

@@ -173,12 +173,13 @@ public final class Renderer {
     }
 
     private void write(int number, List<DrawnAspect> drawn, FrameInput part, Provenance made) throws IOException {
+        boolean alpha = output.background() == Background.NONE;
         if (output.isStandardOutput()) {
             // Not System.out, which hides errors. Not closed, as more pictures may follow.
             OutputStream out = new BufferedOutputStream(new FileOutputStream(FileDescriptor.out));
-            PictureFormat.writePng(out, drawn.getFirst(), part, made);
+            PictureFormat.writePng(out, drawn.getFirst(), part, alpha, made);
         } else {
-            output.format().write(output.file(number), drawn, part, made);
+            output.format().write(output.file(number), drawn, part, alpha, made);
         }
     }
 }

@@ -70,7 +70,11 @@ class FilmSceneTest {
                 PicturePart.WHOLE,
                 movement,
                 Finishing.NONE,
-                new RenderOutput(Path.of("f.png"), Optional.of(FrameRange.ofCount(1000)), ExistingFrames.REPLACED));
+                new RenderOutput(
+                        Path.of("f.png"),
+                        Optional.of(FrameRange.ofCount(1000)),
+                        ExistingFrames.REPLACED,
+                        Background.SKY));
         return new FilmScene(order, World.of(scene, SceneImages.read(scene, _ -> {})), (_, _) -> {});
     }
 }

@@ -8,6 +8,7 @@ import dev.twister.gui.model.DroppedFile;
 import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
+import dev.twister.mesh.MeshPose;
 import dev.twister.mesh.MeshStage;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
@@ -90,7 +91,7 @@ public final class FileActions {
         Mesh mesh = Mesh.of(absolute).withSmooth(MeshStage.SMOOTH_DEGREES);
         Path sky = FileNames.absolute(shipped.skyboxes().resolve(ShippedSky.DAY.fileName()));
         assets.readMesh(mesh, held -> {
-            Scene stage = MeshStage.of(absolute, held, sky);
+            Scene stage = MeshStage.of(absolute, held, sky, MeshPose.OF_FILE);
             saving.afterSaving(() -> {
                 studio.assets().keepMesh(mesh, held);
                 studio.show(new OpenedScene(MeshStage.sceneFile(absolute), stage));

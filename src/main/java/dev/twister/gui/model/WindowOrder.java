@@ -1,6 +1,7 @@
 package dev.twister.gui.model;
 
 import dev.twister.engine.EngineOffer;
+import dev.twister.render.Background;
 import dev.twister.render.BodyMotion;
 import dev.twister.render.ExistingFrames;
 import dev.twister.render.Finishing;
@@ -34,7 +35,7 @@ public final class WindowOrder {
                 picture,
                 engine,
                 new Movement(bodies, _ -> scene.camera(), 1),
-                new RenderOutput(file, Optional.empty(), ExistingFrames.REPLACED));
+                new RenderOutput(file, Optional.empty(), ExistingFrames.REPLACED, Background.SKY));
     }
 
     /**
@@ -48,7 +49,7 @@ public final class WindowOrder {
                 picture,
                 engine,
                 film.movement(scene.camera()),
-                new RenderOutput(file, Optional.of(film.frames()), ExistingFrames.REPLACED));
+                new RenderOutput(file, Optional.of(film.frames()), ExistingFrames.REPLACED, Background.SKY));
     }
 
     private static RenderOrder of(
