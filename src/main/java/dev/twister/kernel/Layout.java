@@ -201,6 +201,7 @@ public final class Layout {
     public static final int MAP_WIDTH = 1;
     public static final int MAP_HEIGHT = 2;
     public static final int MAP_SAMPLER = 3;
+    public static final int MAP_STRIDE = 4;
     public static final int SAMPLER_DOWN = 3;
     public static final int SAMPLER_NEAREST = 9;
     public static final int SAMPLER_COORDINATES = 18;
