@@ -20,6 +20,9 @@ public final class ShippedScenes {
     /** Scenes with more spheres than this are rendered smaller. */
     private static final int MANY_SPHERES = 1000;
 
+    /** Scenes of traced paths with this many meshes or more have thousands of triangles. */
+    private static final int MANY_MESHES = 20;
+
     private static final int FEW_SAMPLES = 4;
 
     private ShippedScenes() {}
@@ -52,13 +55,19 @@ public final class ShippedScenes {
      */
     public static LitScene quick(String name) {
         LitScene small = small(name);
-        if (small.scene().rendering().integrator() == Integrator.PATH) {
-            Rendering simple = small.scene().rendering().withIntegrator(Integrator.WHITTED);
+        Rendering settings = small.scene().rendering();
+        int meshes = small.scene().meshes().size();
+        if (settings.integrator() == Integrator.PATH && meshes < MANY_MESHES) {
+            Rendering simple = settings.withIntegrator(Integrator.WHITTED);
             return with(small, simple.withSamplesPerPixel(1).withBounces(3).withSize(96, 54));
         }
-        Rendering settings = small.scene().rendering();
-        if (!small.scene().meshes().isEmpty()) {
-            return with(small, settings.withSize(32, 18).withShadows(1).withBounces(2));
+        if (meshes > 0) {
+            return with(
+                    small,
+                    settings.withIntegrator(Integrator.WHITTED)
+                            .withSize(32, 18)
+                            .withShadows(1)
+                            .withBounces(2));
         }
         return small.scene().spheres().size() > MANY_SPHERES
                 ? with(small, settings.withSize(96, 54).withShadows(4))
