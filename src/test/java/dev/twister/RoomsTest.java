@@ -200,6 +200,7 @@ class RoomsTest {
                         "scene",
                         "world",
                         "film",
+                        "denoise",
                         "engine",
                         "engine.auto",
                         "image",
