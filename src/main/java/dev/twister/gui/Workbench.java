@@ -19,6 +19,7 @@ import dev.twister.gui.files.Reading;
 import dev.twister.gui.files.ReadingView;
 import dev.twister.gui.files.SceneSaving;
 import dev.twister.gui.files.SettingsKeeper;
+import dev.twister.gui.files.TitleDialog;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.ShownPictures;
 import dev.twister.gui.model.WindowSettings;
@@ -48,6 +49,7 @@ import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.geometry.Rectangle2D;
+import javafx.scene.Node;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.StackPane;
@@ -167,7 +169,7 @@ final class Workbench implements AutoCloseable {
         bodyMouse.axisProperty().subscribe(handles::point);
         handles.onProperty().bind(settings.settingsProperty().map(kept -> kept.get(WindowSettings.AXIS_HANDLES)));
         menu.check(Command.AXIS_HANDLES, handles.onProperty());
-        PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
+        PanelKeys.install(root.getScene(), panel, picture, () -> showPanel(true));
         DropTarget.install(root.getScene(), files);
         errands.run(
                 () -> SkyList.in(options.shipped().skyboxes()),
@@ -206,6 +208,11 @@ final class Workbench implements AutoCloseable {
         comparison.pulse(nanos);
     }
 
+    /** Whether something goes on that is shown in every pulse. */
+    boolean isBusy() {
+        return comparison.isOn() || pictures.recorderProperty().get().isPresent();
+    }
+
     /** Keeps the settings, and begins nothing more; {@link #awaitFiles} waits for what is still being written. */
     @Override
     public void close() {
@@ -234,6 +241,11 @@ final class Workbench implements AutoCloseable {
         render.close();
         errands.close();
         autosaves.close();
+    }
+
+    /** The progress of renderings, for the status line. */
+    Node renderStatus() {
+        return render.status();
     }
 
     Panel panel() {
@@ -266,6 +278,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.OPEN, files::open)
                 .on(Command.SAVE, saving::save)
                 .on(Command.SAVE_AS, saving::saveAs)
+                .on(Command.TITLE, () -> TitleDialog.show(stage, studio))
                 .on(Command.SCREENSHOT, pictures::screenshot)
                 .on(Command.RENDER, render::show)
                 .on(Command.RECORD, pictures::toggleRecording)

@@ -17,6 +17,7 @@ import dev.twister.mesh.MeshException;
 import dev.twister.mesh.MeshReader;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.Title;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.format.SceneWriter;
 import dev.twister.sky.SkyException;
@@ -32,6 +33,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.DialogPane;
+import javafx.scene.control.TextArea;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.stage.WindowEvent;
@@ -379,9 +381,42 @@ class FilesTest {
 
         driver.files.choose(sky);
         drop(file);
-        answer(awaitDialog("sky-question"), "Choose a sky…");
         answer(awaitDialog("save-question"), "Don't save");
+        answer(awaitDialog("sky-question"), "Choose a sky…");
         driver.await(() -> driver.studio.scene().sky().file().equals(sky));
+    }
+
+    @Test
+    void aCopyElsewhereHasItsOwnNameAndNoSchemaThatIsNotThere() throws IOException {
+        Path copy = Files.createDirectories(folder.resolve("mine")).resolve("my room.json");
+        driver.files.choose(copy);
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
+        driver.await(() -> driver.studio.document().file().equals(copy));
+
+        assertThat(copy).content().doesNotContain("$schema");
+        assertThat(scene().title().name()).isEqualTo("my room");
+        assertThat(SceneReader.read(copy)).isEqualTo(scene());
+    }
+
+    @Test
+    void aFileThatIsOpenedIsReadAfterTheQuestionAboutChanges() throws IOException {
+        Path broken = Files.writeString(folder.resolve("broken.json"), "{");
+        change();
+        drop(broken);
+        answer(awaitDialog("save-question"), "Don't save");
+        answer(awaitDialog("complaint"), "OK");
+    }
+
+    @Test
+    void nameAndDescriptionAreEdited() {
+        driver.type(Command.TITLE.keys());
+        DialogPane dialog = awaitDialog("title-dialog");
+        driver.run(() -> {
+            ((TextField) dialog.lookup("#title-name")).setText("mine");
+            ((TextArea) dialog.lookup("#title-description")).setText("Of my own.");
+        });
+        answer(dialog, "OK");
+        assertThat(scene().title()).isEqualTo(new Title("mine", "Of my own."));
     }
 
     @Test

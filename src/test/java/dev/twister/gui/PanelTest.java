@@ -618,6 +618,26 @@ class PanelTest {
     }
 
     @Test
+    void tabLeavesThePictureAndThePanelStays() {
+        driver.run(() -> driver.find(".picture", Pane.class).requestFocus());
+        driver.type(KeyCode.TAB);
+        assertThat(driver.find(".picture", Pane.class).isFocused()).isFalse();
+        assertThat(driver.window.workbench().panel().isVisible()).isTrue();
+    }
+
+    @Test
+    void stepsOfASliderByKeysAreUndoneTogether() {
+        Scene before = scene();
+        driver.type(row("Exposure").keys());
+        driver.type(KeyCode.RIGHT);
+        driver.type(KeyCode.RIGHT);
+        driver.type(KeyCode.RIGHT);
+        assertThat(scene()).isNotEqualTo(before);
+        driver.type(Command.UNDO.keys());
+        assertThat(scene()).isEqualTo(before);
+    }
+
+    @Test
     void everyControlComesIntoSightByItsKey() {
         for (PanelRow row :
                 WindowDriver.call(() -> driver.window.workbench().panel().rows())) {
@@ -635,7 +655,7 @@ class PanelTest {
     }
 
     @Test
-    void tabAndF9ShowAndHideThePanelAndEscapeLeavesIt() {
+    void f9ShowsAndHidesThePanelAndEscapeLeavesIt() {
         Panel panel = driver.window.workbench().panel();
         driver.type(row("Exposure").keys());
         driver.type(KeyCode.TAB);
@@ -643,7 +663,7 @@ class PanelTest {
                 .isTrue();
         driver.type(KeyCode.ESCAPE);
         assertThat(driver.find(".picture", Node.class).isFocused()).isTrue();
-        driver.type(KeyCode.TAB);
+        driver.type(KeyCode.F9);
         assertThat(panel.isVisible()).isFalse();
         driver.type(KeyCode.F9);
         assertThat(panel.isVisible()).isTrue();

@@ -37,7 +37,7 @@ class SettingsTest {
                 driver.stage.setHeight(500);
                 driver.find(".picture", Node.class).requestFocus();
             });
-            driver.type(KeyCode.TAB);
+            driver.type(KeyCode.F9);
             assertThat(driver.find(".frame-times", Node.class).isVisible()).isTrue();
             driver.type(KeyCode.F3);
             assertThat(driver.find(".frame-times", Node.class).isVisible()).isFalse();

@@ -170,7 +170,7 @@ public final class WindowDriver implements AutoCloseable {
             driver.stage.setWidth(LARGE);
             driver.stage.setHeight(LARGE);
         });
-        driver.type(KeyCode.TAB);
+        driver.type(KeyCode.F9);
         driver.awaitCurrentPicture();
         return driver;
     }

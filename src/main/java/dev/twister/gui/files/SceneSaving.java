@@ -3,12 +3,14 @@ package dev.twister.gui.files;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
 import dev.twister.gui.controls.Problems;
+import dev.twister.gui.model.CopiedTitle;
 import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.gui.studio.Document;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Title;
 import dev.twister.scene.format.SceneWriter;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -106,9 +108,20 @@ public final class SceneSaving {
                 dialogs.complain(
                         "Shipped scenes are read-only", file.getParent() + ": choose another folder for your scene.");
             } else {
+                name(own, file);
                 saveTo(file, then);
             }
         });
+    }
+
+    /** Gives a copy a title of its own. */
+    private void name(Path own, Path copy) {
+        if (!FileNames.absolute(own).equals(FileNames.absolute(copy))) {
+            Title original = document.original().title();
+            boolean isShipped = shipped.isScene(own);
+            studio.edit("name", scene -> scene.withTitle(CopiedTitle.of(scene.title(), original, copy, isShipped)));
+            studio.endGesture();
+        }
     }
 
     private void saveTo(Path file, Runnable then) {
