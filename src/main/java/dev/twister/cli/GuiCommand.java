@@ -20,7 +20,7 @@ import picocli.CommandLine.Parameters;
         description = "Opens the window, as 'twister' without a command does.",
         footer = {"", "Examples:", "  twister gui mirrors", "  twister gui my-scene.json --engine vector"})
 final class GuiCommand implements Callable<Integer> {
-    static final String FIRST_SCENE = "benchmark";
+    static final String FIRST_SCENE = "weekend";
 
     @Parameters(
             paramLabel = "SCENE",

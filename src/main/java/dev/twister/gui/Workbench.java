@@ -20,6 +20,7 @@ import dev.twister.gui.files.ReadingView;
 import dev.twister.gui.files.SceneSaving;
 import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.files.TitleDialog;
+import dev.twister.gui.gallery.SceneGallery;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.ShownPictures;
 import dev.twister.gui.model.WindowSettings;
@@ -73,6 +74,7 @@ final class Workbench implements AutoCloseable {
     private final Reading reading;
     private final Errands errands = new Errands();
     private final FileActions files;
+    private final SceneGallery gallery;
     private final SceneSaving saving;
     private final AssetActions assets;
     private final AutosaveKeeper autosaves;
@@ -114,7 +116,9 @@ final class Workbench implements AutoCloseable {
         saving = new SceneSaving(
                 studio, options.files(), options.shipped(), dialogs, settings, errands, this::takeTyped);
         assets = new AssetActions(studio, options.files(), dialogs, settings, reading);
-        files = new FileActions(studio, options.files(), options.shipped(), dialogs, settings, reading, saving, assets);
+        files = new FileActions(
+                studio, options.files(), options.shipped(), dialogs, settings, reading, saving, assets, errands);
+        gallery = new SceneGallery(stage, options.shipped(), settings, files);
         autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
@@ -223,6 +227,7 @@ final class Workbench implements AutoCloseable {
                 kept -> (filling ? kept : kept.withSize(width, height)).with(WindowSettings.MAXIMIZED, filling));
         settings.write();
         help.close();
+        gallery.close();
         comparison.close();
         pictures.finish();
         render.finish();
@@ -275,6 +280,8 @@ final class Workbench implements AutoCloseable {
 
     private CommandActions actions(Runnable resetAll) {
         return new CommandActions()
+                .on(Command.NEW, files::newScene)
+                .on(Command.GALLERY, gallery::show)
                 .on(Command.OPEN, files::open)
                 .on(Command.SAVE, saving::save)
                 .on(Command.SAVE_AS, saving::saveAs)
@@ -293,6 +300,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)
                 .on(Command.DELETE, bodies::delete)
+                .on(Command.DROP, bodies::drop)
                 .on(Command.SELECT_ALL, studio.selection()::selectAll)
                 .on(Command.NEXT, () -> bodies.selectAlong(1))
                 .on(Command.PREVIOUS, () -> bodies.selectAlong(-1))

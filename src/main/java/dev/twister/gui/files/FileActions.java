@@ -6,7 +6,9 @@ import dev.twister.gui.controls.Problems;
 import dev.twister.gui.model.Autosave;
 import dev.twister.gui.model.DroppedFile;
 import dev.twister.gui.model.EditedFile;
+import dev.twister.gui.model.NewScene;
 import dev.twister.gui.model.SceneHistory;
+import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import dev.twister.mesh.MeshStage;
@@ -30,6 +32,7 @@ public final class FileActions {
     private final Reading reading;
     private final SceneSaving saving;
     private final AssetActions assets;
+    private final Errands errands;
 
     public FileActions(
             Studio studio,
@@ -39,7 +42,9 @@ public final class FileActions {
             SettingsKeeper settings,
             Reading reading,
             SceneSaving saving,
-            AssetActions assets) {
+            AssetActions assets,
+            Errands errands) {
+        this.errands = errands;
         this.studio = studio;
         this.choice = choice;
         this.shipped = shipped;
@@ -48,6 +53,18 @@ public final class FileActions {
         this.reading = reading;
         this.saving = saving;
         this.assets = assets;
+    }
+
+    /** Shows a new scene, once changes are saved or discarded. */
+    public void newScene() {
+        Path sky = FileNames.absolute(shipped.skyboxes().resolve(ShippedSky.DAY.fileName()));
+        Path file = Path.of("").toAbsolutePath().resolve(NewScene.FILE_NAME);
+        saving.afterSaving(() -> studio.show(new OpenedScene(file, NewScene.of(sky))));
+    }
+
+    /** Lists the shipped scenes in the background; tells nothing if there are none. */
+    public void listShipped(Consumer<List<Path>> then) {
+        errands.run(shipped::list, then, _ -> {});
     }
 
     /** Asks for a file and opens it. */

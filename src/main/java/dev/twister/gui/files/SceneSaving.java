@@ -83,17 +83,21 @@ public final class SceneSaving {
             // The scene may be edited while it is written: so ask again afterwards.
             dialogs.askToSave(
                     FileNames.name(document.file()),
-                    new Answer(
-                            shipped.isScene(document.file()) ? "Save as…" : "Save",
-                            () -> save(() -> afterSaving(action))),
+                    new Answer(needsFile() ? "Save as…" : "Save", () -> save(() -> afterSaving(action))),
                     new Answer("Don't save", action));
         } else {
             action.run();
         }
     }
 
+    /** Whether the scene is shipped or was never saved, so that it needs a file of its own first. */
+    private boolean needsFile() {
+        return shipped.isScene(document.file())
+                || document.fileProperty().get().mark().equals(FileMark.NONE);
+    }
+
     private void save(Runnable then) {
-        if (shipped.isScene(document.file())) {
+        if (needsFile()) {
             saveAs(then);
         } else {
             saveTo(document.file(), then);
