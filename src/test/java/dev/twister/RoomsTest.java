@@ -17,6 +17,7 @@ import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import dev.twister.kernel.Aspect;
+import dev.twister.kernel.Guides;
 import dev.twister.kernel.Instance;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
@@ -279,7 +280,7 @@ class RoomsTest {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
                 .or(resideInAnyPackage(
                         "dev.twister.world", "dev.twister.scene..", "dev.twister.sky", "dev.twister.mesh"))
-                .or(belongToAnyOf(Aspect.class, Instance.class, Layout.class, Tone.class, Variant.class));
+                .or(belongToAnyOf(Aspect.class, Guides.class, Instance.class, Layout.class, Tone.class, Variant.class));
         classes()
                 .that()
                 .resideInAPackage("dev.twister.world")

@@ -1,5 +1,8 @@
 package dev.twister.cli;
 
+import dev.twister.denoise.Denoiser;
+import dev.twister.denoise.DenoiserOffer;
+import dev.twister.denoise.Denoisers;
 import dev.twister.files.InputFile;
 import dev.twister.files.PrintableText;
 import dev.twister.image.ExrExtent;
@@ -7,12 +10,14 @@ import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
 import dev.twister.image.JoinedPicture;
 import dev.twister.image.PictureSize;
+import dev.twister.render.DenoisedPicture;
 import dev.twister.scene.Rendering;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -30,7 +35,8 @@ import picocli.CommandLine.Spec;
             "",
             "Examples:",
             "  twister join tile-1.exr tile-2.exr tile-3.exr -o picture.exr",
-            "  twister join samples-*.exr -o picture.png --exposure 1"
+            "  twister join samples-*.exr -o picture.png --exposure 1",
+            "  twister join samples-*.exr -o picture.exr --denoise"
         })
 final class JoinCommand implements Callable<Integer> {
     @Spec
@@ -46,6 +52,11 @@ final class JoinCommand implements Callable<Integer> {
             description = "The picture: .exr keeps all channels; .hdr and .png keep the colors.")
     private Path output;
 
+    @Option(
+            names = "--denoise",
+            description = "Remove the noise by the library Open Image Denoise, best of parts rendered with --guides.")
+    private boolean denoise;
+
     @Mixin
     private ToneOptions tone;
 
@@ -59,7 +70,10 @@ final class JoinCommand implements Callable<Integer> {
             });
         }
         OutputFile.checkKeeps("--output", output, parts);
-        ExrPicture picture = joined();
+        Optional<DenoiserOffer> offer = denoise ? Optional.of(Denoisers.offer()) : Optional.empty();
+        offer.ifPresent(DenoiserOffer::check);
+        ExrPicture joined = joined();
+        ExrPicture picture = offer.map(found -> denoised(joined, found)).orElse(joined);
         LinearPictureFile.write(output, picture, settings, tone);
         spec.commandLine()
                 .getOut()
@@ -73,6 +87,17 @@ final class JoinCommand implements Callable<Integer> {
                         parts.size() == 1 ? "part" : "parts",
                         picture.provenance().orElseThrow().samples());
         return ExitCode.OK;
+    }
+
+    private ExrPicture denoised(ExrPicture picture, DenoiserOffer offer) {
+        try (Denoiser denoiser = offer.opener().get()) {
+            DenoisedPicture denoised = DenoisedPicture.of(picture, denoiser);
+            DenoisingNotes.print(
+                    denoised, parts.getFirst().toString(), spec.commandLine().getErr());
+            return denoised.picture();
+        } catch (IllegalArgumentException problem) {
+            throw new BadInputException(parts.getFirst() + " " + problem.getMessage());
+        }
     }
 
     private ExrPicture joined() throws IOException {

@@ -41,7 +41,7 @@ final class LinearPictureFile {
             float[] radiance = radiance(picture);
             int[] pixels = TonedPixels.of(
                     radiance, tone.metered(settings, () -> AutoExposure.stops(radiance, settings.srgb())));
-            PngWriter.write(output, picture.width(), picture.height(), pixels, settings.srgb(), made);
+            PngWriter.write(output, picture.width(), picture.height(), pixels, settings.srgb(), false, made);
         }
     }
 

@@ -2,6 +2,8 @@ package dev.twister.cli;
 
 import dev.twister.bench.EngineFailure;
 import dev.twister.bench.Jit;
+import dev.twister.mesh.MeshPose;
+import dev.twister.render.Background;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.ToneMap;
 import dev.twister.sky.ShippedSky;
@@ -43,6 +45,8 @@ public final class Main {
                 .registerConverter(Jit.class, new ChoiceConverter<>(Jit.class))
                 .registerConverter(Integrator.class, new ChoiceConverter<>(Integrator.class))
                 .registerConverter(ToneMap.class, new ChoiceConverter<>(ToneMap.class))
+                .registerConverter(Background.class, new ChoiceConverter<>(Background.class))
+                .registerConverter(MeshPose.Up.class, new ChoiceConverter<>(MeshPose.Up.class))
                 .registerConverter(ShippedSky.class, new ChoiceConverter<>(ShippedSky.class))
                 .setUsageHelpWidth(HELP_WIDTH)
                 .setExecutionStrategy(parsed -> execute(parsed, out))

@@ -1,10 +1,12 @@
 package dev.twister.cli;
 
 import dev.twister.files.PrintableText;
+import dev.twister.render.Background;
 import dev.twister.render.ExistingFrames;
 import dev.twister.render.FrameRange;
 import dev.twister.render.PictureFormat;
 import dev.twister.render.RenderOutput;
+import dev.twister.world.Picture;
 import java.io.Console;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -22,13 +24,24 @@ final class PictureOutput {
      * The output that the options give.
      *
      * @param frames empty for a single picture
-     * @param views number of pictures in each file
+     * @param pictures those in each file
+     * @param background what they have where there is no body
      * @throws BadInputException if it cannot be written, or cannot hold the pictures
      */
-    static RenderOutput of(Path file, Optional<FrameRange> frames, ExistingFrames existing, int views) {
-        RenderOutput output = new RenderOutput(file, frames, existing);
-        if (views > 1 && output.format() != PictureFormat.EXR) {
-            throw new BadInputException(OPTION + " is " + file + ", but --view has " + views
+    static RenderOutput of(
+            Path file,
+            Optional<FrameRange> frames,
+            ExistingFrames existing,
+            List<Picture> pictures,
+            Background background) {
+        RenderOutput output = new RenderOutput(file, frames, existing, background);
+        if (background == Background.NONE
+                && (output.format() != PictureFormat.PNG || !pictures.equals(List.of(Picture.BEAUTY)))) {
+            throw new BadInputException(
+                    "--background none needs a .png file, without --stage and --view; --output is " + file);
+        }
+        if (pictures.size() > 1 && output.format() != PictureFormat.EXR) {
+            throw new BadInputException(OPTION + " is " + file + ", but --view has " + pictures.size()
                     + " names, which only an .exr file can hold; give one name, or another file");
         }
         if (output.isStandardOutput()) {

@@ -2,13 +2,16 @@ package dev.twister.cli;
 
 import dev.twister.engine.Engines;
 import dev.twister.engine.auto.FastestEngine;
+import dev.twister.files.PrintableText;
 import dev.twister.film.FilmFile;
 import dev.twister.image.PictureSize;
 import dev.twister.motion.MotionFile;
+import dev.twister.render.Background;
 import dev.twister.render.BandedDrawing;
 import dev.twister.render.BlackPictureException;
 import dev.twister.render.ExistingFrames;
 import dev.twister.render.FrameRange;
+import dev.twister.render.PictureFormat;
 import dev.twister.render.RenderOrder;
 import dev.twister.render.RenderOutput;
 import dev.twister.render.RenderResult;
@@ -23,10 +26,14 @@ import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -38,7 +45,8 @@ import picocli.CommandLine.Spec;
 /** {@code twister render}: from a scene to a picture. */
 @Command(
         name = "render",
-        description = "Renders a scene to a file. Options override the scene's own settings.",
+        description = "Renders a scene or a mesh file to a picture. Options override the scene's own settings. A mesh"
+                + " stands on the checkered plane under the day sky, as in 'twister view'.",
         footer = {
             "",
             "Examples:",
@@ -46,6 +54,7 @@ import picocli.CommandLine.Spec;
             "  twister render my-scene.json -o large.png --size 4k --samples 16 --tone-map aces",
             "  twister render mirrors -o mirrors.hdr --engine tornado",
             "  twister render metals -o metals.png --noise 0.01 --exposure auto",
+            "  twister render cornell -o cornell.png --samples 16 --denoise",
             "  twister render benchmark -o left.png --camera -12,-6,-10 --yaw 40 --fov 60",
             "  twister render benchmark -o diffuse.png --stage diffuse",
             "  twister render benchmark -o shot.exr --view beauty,normal,depth,albedo",
@@ -53,7 +62,9 @@ import picocli.CommandLine.Spec;
             "  twister render pour-1000 -o heap.png --physics --start 12",
             "  twister render pour-1000 -o 'shot/f-####.png' --motion pour.motion --frames 240-299 --skip-existing",
             "  twister render benchmark -o turn.mp4 --turntable 10",
-            "  twister render metals -o tile-2.exr --size 4k --samples 256 --tile 2/7"
+            "  twister render metals -o tile-2.exr --size 4k --samples 256 --tile 2/7",
+            "  twister render model.glb -o thumbnail.png --size 512x512 --background none",
+            "  twister render 'scans/*.ply' -o pictures --up z"
         })
 final class RenderCommand implements Callable<Integer> {
     private static final double NANOS_PER_MILLI = 1e6;
@@ -64,7 +75,9 @@ final class RenderCommand implements Callable<Integer> {
     @Parameters(
             paramLabel = "SCENE",
             completionCandidates = Completions.OfScene.class,
-            description = "A scene file, or the name of a shipped scene.")
+            description = "A scene file, the name of a shipped scene, or a mesh file: OBJ, glTF, GLB, PLY or STL. Also"
+                    + " a folder of mesh files, or a pattern such as 'models/*.glb'; then FILE is the folder of their"
+                    + " pictures.")
     private String sceneName;
 
     @Option(
@@ -91,6 +104,16 @@ final class RenderCommand implements Callable<Integer> {
             description = "The engine that renders, see 'twister devices' (default: ${DEFAULT-VALUE}).")
     private String engineId;
 
+    @Option(
+            names = "--background",
+            paramLabel = "NAME",
+            description = "sky (the default), or none: a PNG is transparent where there is no body, and a mesh file has"
+                    + " no floor.")
+    private Background background = Background.SKY;
+
+    @Mixin
+    private ModelOptions model;
+
     @Mixin
     private SampleOptions samples;
 
@@ -101,7 +124,7 @@ final class RenderCommand implements Callable<Integer> {
     private ToneOptions tone;
 
     @Mixin
-    private PictureOptions picture;
+    private PictureOptions views;
 
     @Mixin
     private CameraOptions camera;
@@ -119,33 +142,90 @@ final class RenderCommand implements Callable<Integer> {
     private PartOptions part;
 
     @Mixin
+    private DenoisingOptions denoising;
+
+    @Mixin
     private ProgressOptions progress;
 
     @Override
     public Integer call() throws IOException {
         film.check(motion);
-        samples.check(picture.pictures());
+        samples.check(views.pictures());
+        if (background == Background.NONE && (samples.isNoiseGiven() || denoising.isOn())) {
+            throw new BadInputException("--background none excludes --noise and --denoise; give --samples");
+        }
         part.check(output, samples);
+        denoising.check(output, views.pictures(), part);
+        Optional<List<Path>> several = SeveralFiles.of(sceneName);
+        if (several.isPresent()) {
+            return renderAll(several.get());
+        }
         PictureOutput.checkPlace(output);
-        Path file = SceneFiles.find(sceneName);
-        Scene scene = sky.over(SceneReader.read(file));
+        render(SceneFiles.find(sceneName), output);
+        return ExitCode.OK;
+    }
+
+    /** Goes on after failures. */
+    private int renderAll(List<Path> files) throws IOException {
+        if (PictureFormat.of(output).isPresent() || FilmFile.isFilm(output) || OutputFile.isStandardOutput(output)) {
+            throw new BadInputException("--output is " + output + ", but " + sceneName
+                    + " are several files; give the folder of their pictures");
+        }
+        Files.createDirectories(output);
+        CommandLine command = spec.commandLine();
+        List<String> pictures = SeveralFiles.pictures(files);
+        List<String> lines = new ArrayList<>();
+        int failures = 0;
+        for (int index = 0; index < files.size(); index++) {
+            Path file = files.get(index);
+            String result = pictures.get(index);
+            try {
+                render(file, output.resolve(result));
+            } catch (IOException | RuntimeException failure) {
+                failures++;
+                Failures.explain(failure, command, command.getParseResult());
+                result = "failed: " + failure.getMessage();
+            }
+            lines.add(PrintableText.line(file.getFileName() + " -> " + result));
+        }
+        PrintWriter out = command.getOut();
+        out.printf("%nPictures in %s: %d, failed: %d%n", output, files.size() - failures, failures);
+        lines.forEach(line -> out.println("  " + line));
+        return failures == 0 ? ExitCode.OK : ExitCode.BAD_INPUT;
+    }
+
+    private void render(Path file, Path picture) throws IOException {
+        Consumer<String> warnings = SkyFiles.warnings(spec.commandLine().getErr());
+        Optional<Model> mesh = Model.isNamed(file) ? Optional.of(model(file, warnings)) : Optional.empty();
+        if (mesh.isEmpty() && model.areGiven()) {
+            throw new BadInputException("--up and --rotate are for mesh files, but " + file + " is a scene");
+        }
+        Scene scene = sky.over(mesh.isPresent() ? mesh.get().scene() : SceneReader.read(file));
         Optional<MotionFile> recorded = film.open(scene);
         try {
-            RenderOrder order = order(scene, recorded);
+            RenderOrder order = order(scene, picture, recorded);
             PictureOutput.checkKeeps(order.output(), SceneInputs.of(file, scene));
             SizeCheck.check(order.size(), Renderer.bytesPerPixel(order));
-            render(order);
+            render(
+                    order,
+                    mesh.isPresent()
+                            ? mesh.get().world(order.scene(), warnings)
+                            : SkyFiles.world(order.scene(), spec.commandLine().getErr()));
         } finally {
             if (recorded.isPresent()) {
                 recorded.get().close();
             }
         }
-        return ExitCode.OK;
     }
 
-    private RenderOrder order(Scene scene, Optional<MotionFile> recorded) throws IOException {
+    private Model model(Path file, Consumer<String> warnings) {
+        Model read = Model.read(file, model.pose(), warnings).forPictures();
+        return background == Background.NONE ? read.withoutPlane() : read;
+    }
+
+    private RenderOrder order(Scene scene, Path picture, Optional<MotionFile> recorded) throws IOException {
         Camera from = camera.over(scene);
-        Optional<FrameRange> frames = film.frames(from, motion, recorded, FilmFile.isFilm(output));
+        Optional<FrameRange> frames = film.frames(from, motion, recorded, FilmFile.isFilm(picture));
         if (frames.isEmpty()) {
             film.checkSingle();
         }
@@ -155,34 +235,32 @@ final class RenderCommand implements Callable<Integer> {
         return new RenderOrder(
                 scene.withCamera(from).withRendering(settings),
                 Engines.offer(engineId),
-                picture.pictures(),
+                views.pictures(),
                 new Sampling(part.samplesOr(usual.samples()), usual.noise()),
                 part.part(),
                 film.movement(scene, from, motion, recorded, frames.isPresent()),
-                tone.isMetered(),
-                output(frames));
+                denoising.finishing(tone.isMetered()),
+                output(picture, frames));
     }
 
-    private RenderOutput output(Optional<FrameRange> frames) {
-        if (FilmFile.isFilm(output)) {
+    private RenderOutput output(Path picture, Optional<FrameRange> frames) {
+        if (FilmFile.isFilm(picture)) {
             checkFilm();
-            Path written = FilmOutput.of(output, spec.commandLine().getErr()).file();
-            return new RenderOutput(written, frames, ExistingFrames.REPLACED);
+            Path written = FilmOutput.of(picture, spec.commandLine().getErr()).file();
+            return new RenderOutput(written, frames, ExistingFrames.REPLACED, Background.SKY);
         }
-        return PictureOutput.of(
-                output, frames, film.existing(), picture.pictures().size());
+        return PictureOutput.of(picture, frames, film.existing(), views.pictures(), background);
     }
 
     private void checkFilm() {
-        if (film.skipsExisting() || picture.pictures().size() > 1) {
-            throw new BadInputException("--output is " + output + ", a film, which excludes --skip-existing and several"
-                    + " views; render frames, and join them by 'twister film'");
+        if (film.skipsExisting() || views.pictures().size() > 1 || background == Background.NONE) {
+            throw new BadInputException("--output is " + output + ", a film, which excludes --skip-existing,"
+                    + " --background none and several views; render frames, and join them by 'twister film'");
         }
     }
 
-    private void render(RenderOrder order) throws IOException {
+    private void render(RenderOrder order, World world) throws IOException {
         CommandLine command = spec.commandLine();
-        World world = SkyFiles.world(order.scene(), command.getErr());
         RenderResult result;
         long nanos;
         try (RenderLine line = new RenderLine(command, progress, order.output().frames())) {

@@ -43,7 +43,8 @@ final class SkyFiles {
         return SceneMeshes.read(scene, warnings(err));
     }
 
-    private static Consumer<String> warnings(PrintWriter err) {
+    /** Prints warnings. */
+    static Consumer<String> warnings(PrintWriter err) {
         return warning -> err.println("twister: warning: " + warning);
     }
 }

@@ -12,7 +12,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -22,7 +24,13 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "view",
         description = "Opens a mesh in the window: on the checkered plane, scaled and framed, under the day sky.",
-        footer = {"", "Examples:", "  twister view knot.obj", "  twister view model.glb -o model.json"})
+        footer = {
+            "",
+            "Examples:",
+            "  twister view knot.obj",
+            "  twister view scan.ply --up z --rotate 30",
+            "  twister view model.glb -o model.json"
+        })
 final class ViewCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
@@ -44,11 +52,17 @@ final class ViewCommand implements Callable<Integer> {
             description = "Write the scene to this file, or to standard output with -, instead of opening the window.")
     private Optional<Path> output = Optional.empty();
 
+    @Mixin
+    private ModelOptions model;
+
     @Override
     public Integer call() throws IOException {
-        Scene scene =
-                MeshFiles.stage(file, output.isPresent(), spec.commandLine().getErr());
+        Consumer<String> warnings = SkyFiles.warnings(spec.commandLine().getErr());
+        Model read = Model.read(file, model.pose(), warnings);
+        Scene scene = read.scene();
         if (output.isPresent()) {
+            // For what is to be said of its textures.
+            read.world(scene, warnings);
             if (SceneOutput.check(output.get())) {
                 OutputFile.checkKeeps("--output", output.get(), List.of(file));
             }

@@ -23,6 +23,17 @@ public record DenoiserOffer(String name, Optional<String> obstacle, Supplier<Den
         });
     }
 
+    /**
+     * Checks that the denoiser can run, without opening it.
+     *
+     * @throws DenoiseException if there is an obstacle
+     */
+    public void check() {
+        obstacle.ifPresent(reason -> {
+            throw new DenoiseException(reason);
+        });
+    }
+
     public boolean works() {
         return obstacle.isEmpty();
     }

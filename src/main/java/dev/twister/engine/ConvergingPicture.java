@@ -3,15 +3,12 @@ package dev.twister.engine;
 import dev.twister.engine.NoiseEstimate.Half;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
-import dev.twister.kernel.Layout;
-import dev.twister.kernel.Tone;
 import dev.twister.world.FrameInput;
+import dev.twister.world.TonedPixels;
 import java.util.function.Consumer;
 
 /** A picture that accumulates samples until its noise is low, see {@link NoiseEstimate}. */
 public final class ConvergingPicture {
-    private static final int CHANNELS = 3;
-
     /** Samples per pixel in each half of the first pass. */
     private static final int FIRST_SAMPLES = 4;
 
@@ -24,13 +21,15 @@ public final class ConvergingPicture {
     private final FrameInput input;
     private final Frame pass;
     private final float[][] sums;
+    private final float[] layers;
     private int samplesOfHalf;
     private FrameTimes times = FrameTimes.NONE;
 
     private ConvergingPicture(FrameInput input) {
         this.input = input;
-        pass = Frame.ofRadiance(input.width(), input.rows());
+        pass = Frame.ofRadiance(input.width(), input.rows(), input.layers());
         sums = new float[2][pass.radiance().length];
+        layers = new float[pass.layers().length];
     }
 
     /**
@@ -99,6 +98,9 @@ public final class ConvergingPicture {
             for (int i = 0; i < pass.radiance().length; i++) {
                 sums[half][i] += samples * pass.radiance()[i];
             }
+            for (int i = 0; i < layers.length; i++) {
+                layers[i] += samples * pass.layers()[i];
+            }
         }
         samplesOfHalf += samples;
     }
@@ -114,12 +116,11 @@ public final class ConvergingPicture {
         for (int i = 0; i < radiance.length; i++) {
             radiance[i] = (sums[0][i] + sums[1][i]) * average;
         }
+        for (int i = 0; i < layers.length; i++) {
+            frame.layers()[i] = layers[i] * average;
+        }
         if (!frame.isLinear()) {
-            float[] path = new float[Layout.PATH_LENGTH];
-            for (int pixel = 0; pixel < frame.argb().length; pixel++) {
-                System.arraycopy(radiance, CHANNELS * pixel, path, Layout.RADIANCE, CHANNELS);
-                frame.argb()[pixel] = Tone.argb(path, 1, input.view().frame());
-            }
+            TonedPixels.write(radiance, input, frame.argb());
         }
         frame.setTimes(times);
     }

@@ -10,7 +10,7 @@ import dev.twister.world.View;
 
 /** Calls the kernel on the JVM. Each thread needs its own instance. */
 public final class JvmKernel {
-    private final float[] path = new float[Layout.TRACED_PATH_LENGTH];
+    private final float[] path = new float[Layout.GUIDED_PATH_LENGTH];
     private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
 
     /** The path for {@link #follow} and {@link #visible}: {@link Layout#PATH_LENGTH} floats. */
@@ -35,7 +35,8 @@ public final class JvmKernel {
                     bodies.meshes(),
                     input.images(),
                     variant);
-            PixelKernel.store(column, row, frame.argb(), frame.radiance(), path, view.frame(), variant);
+            PixelKernel.store(
+                    column, row, frame.argb(), frame.radiance(), frame.layers(), 0, path, view.frame(), variant);
         }
     }
 

@@ -74,7 +74,7 @@ final class SurfaceRecorder {
                 path[Layout.ROUGHNESS],
                 path[Layout.IOR],
                 List.copyOf(lights),
-                lit(frame[Layout.AMBIENT]),
+                lit(Illumination.ambient(path, frame, input.variant(false))),
                 Path.mirror(path, frame),
                 transmission,
                 transmission > 0 ? reflectance(after) : 0);

@@ -109,13 +109,13 @@ final class TraceRecorder {
             SkyLookup.write(ray, Layout.DIRECTION, Layout.EMITTED, frame, input.images());
             return Optional.of(light(ray, Layout.EMITTED, ray, Emitter.skyDensity(ray, frame, looks, input.images())));
         }
-        return Emitter.shines(ray, body, frame, looks, variant) == 0
-                ? Optional.empty()
-                : Optional.of(light(
-                        looks,
-                        Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION,
-                        ray,
-                        Emitter.density(ray, body, frame, bodies, looks, variant)));
+        if (Emitter.shines(ray, body, frame, looks, variant) == 0) {
+            return Optional.empty();
+        }
+        for (int channel = 0; channel < CHANNELS; channel++) {
+            ray[Layout.EMITTED + channel] = Emitter.emission(ray, body, channel, looks, variant);
+        }
+        return Optional.of(light(ray, Layout.EMITTED, ray, Emitter.density(ray, body, frame, bodies, looks, variant)));
     }
 
     private static FoundLight light(float[] array, int radiance, float[] ray, float emitterDensity) {
@@ -148,7 +148,7 @@ final class TraceRecorder {
 
     private EmitterChoice emitter(float[] ray, int bounce, boolean last) {
         int emitter = Emitter.chosen(ray, bounce, frame, looks);
-        Emitter.choose(ray, bounce, frame, bodies, looks, meshes, input.images());
+        Emitter.choose(ray, bounce, frame, bodies, looks, meshes, input.images(), variant);
         float chosen = ray[Layout.LIGHT_DENSITY];
         float density = Lobes.evaluate(ray, ray[Layout.TO_LIGHT], ray[Layout.TO_LIGHT + 1], ray[Layout.TO_LIGHT + 2]);
         // After the last bounce no ray is scattered that could meet the emitter, too.

@@ -15,29 +15,36 @@ public final class Frame {
     private final int height;
     private final int[] argb;
     private final float[] radiance;
+    private final float[] layers;
     private FrameTimes times = FrameTimes.NONE;
 
-    private Frame(int width, int height, int[] argb, float[] radiance) {
+    private Frame(int width, int height, int[] argb, float[] radiance, float[] layers) {
         this.width = width;
         this.height = height;
         this.argb = argb;
         this.radiance = radiance;
+        this.layers = layers;
     }
 
     /** A frame of {@code width * height} ints, 0xAARRGGBB, row by row from the top. */
     public static Frame ofPixels(int width, int height) {
-        return new Frame(width, height, new int[Math.multiplyExact(width, height)], NO_RADIANCE);
+        return new Frame(width, height, new int[Math.multiplyExact(width, height)], NO_RADIANCE, NO_RADIANCE);
     }
 
     /** A frame of {@code 3 * width * height} floats: linear red, green, blue of each pixel, row by row from the top. */
     public static Frame ofRadiance(int width, int height) {
-        return new Frame(
-                width, height, NO_PIXELS, new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))]);
+        return ofRadiance(width, height, 0);
+    }
+
+    /** As above, with further layers of three floats per pixel each, one after the other. */
+    public static Frame ofRadiance(int width, int height, int layers) {
+        int plane = Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height));
+        return new Frame(width, height, NO_PIXELS, new float[plane], new float[Math.multiplyExact(layers, plane)]);
     }
 
     /** A frame of the same kind and width. */
     public Frame ofRows(int rows) {
-        return isLinear() ? ofRadiance(width, rows) : ofPixels(width, rows);
+        return isLinear() ? ofRadiance(width, rows, layerCount()) : ofPixels(width, rows);
     }
 
     /** Copies the rows of a frame of the same kind and width to those from {@code firstRow} on. */
@@ -45,6 +52,14 @@ public final class Frame {
         int first = width * firstRow;
         if (isLinear()) {
             System.arraycopy(band.radiance, 0, radiance, CHANNELS * first, band.radiance.length);
+            for (int layer = 0; layer < layerCount(); layer++) {
+                System.arraycopy(
+                        band.layers,
+                        band.firstOf(layer),
+                        layers,
+                        firstOf(layer) + CHANNELS * first,
+                        band.radiance.length);
+            }
         } else {
             System.arraycopy(band.argb, 0, argb, first, band.argb.length);
         }
@@ -56,6 +71,14 @@ public final class Frame {
         int first = width * firstRow;
         if (isLinear()) {
             System.arraycopy(radiance, CHANNELS * first, copy.radiance, 0, copy.radiance.length);
+            for (int layer = 0; layer < layerCount(); layer++) {
+                System.arraycopy(
+                        layers,
+                        firstOf(layer) + CHANNELS * first,
+                        copy.layers,
+                        copy.firstOf(layer),
+                        copy.radiance.length);
+            }
         } else {
             System.arraycopy(argb, first, copy.argb, 0, copy.argb.length);
         }
@@ -84,6 +107,21 @@ public final class Frame {
     /** The linear radiance, three floats per pixel; empty in a frame of pixels. */
     public float[] radiance() {
         return radiance;
+    }
+
+    /** The layers beside the radiance, one after the other: three floats per pixel each. */
+    public float[] layers() {
+        return layers;
+    }
+
+    /** Number of layers beside the radiance. */
+    public int layerCount() {
+        return isLinear() ? layers.length / radiance.length : 0;
+    }
+
+    /** Index of a layer's first value in {@link #layers}. */
+    public int firstOf(int layer) {
+        return layer * radiance.length;
     }
 
     /** How long the last render into this frame took, step by step. */

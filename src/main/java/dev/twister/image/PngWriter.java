@@ -25,6 +25,7 @@ public final class PngWriter {
     private static final int RED_MASK = 0xff0000;
     private static final int GREEN_MASK = 0x00ff00;
     private static final int BLUE_MASK = 0x0000ff;
+    private static final int ALPHA_MASK = 0xff000000;
 
     private static final String FORMAT = "javax_imageio_png_1.0";
 
@@ -45,14 +46,18 @@ public final class PngWriter {
      * @throws IOException as {@link WholeFile#write}
      */
     public static void write(Path file, int width, int height, int[] argb, boolean srgb) throws IOException {
-        BufferedImage image = image(width, height, argb);
+        BufferedImage image = image(width, height, argb, false);
         WholeFile.write(file, out -> write(out, image, srgb, Optional.empty()));
     }
 
-    /** As above, with the provenance as text chunks. */
-    public static void write(Path file, int width, int height, int[] argb, boolean srgb, Provenance made)
+    /**
+     * As above, with the provenance as text chunks.
+     *
+     * @param alpha whether the pixels' alpha is written, for colors that are not multiplied by it; ignored if false
+     */
+    public static void write(Path file, int width, int height, int[] argb, boolean srgb, boolean alpha, Provenance made)
             throws IOException {
-        BufferedImage image = image(width, height, argb);
+        BufferedImage image = image(width, height, argb, alpha);
         WholeFile.write(file, out -> write(out, image, srgb, Optional.of(made)));
     }
 
@@ -61,9 +66,10 @@ public final class PngWriter {
      *
      * @throws IOException the failure of the stream
      */
-    public static void write(OutputStream out, int width, int height, int[] argb, boolean srgb, Provenance made)
+    public static void write(
+            OutputStream out, int width, int height, int[] argb, boolean srgb, boolean alpha, Provenance made)
             throws IOException {
-        write(out, image(width, height, argb), srgb, Optional.of(made));
+        write(out, image(width, height, argb, alpha), srgb, Optional.of(made));
         out.flush();
     }
 
@@ -75,7 +81,7 @@ public final class PngWriter {
         }
     }
 
-    private static BufferedImage image(int width, int height, int[] argb) {
+    private static BufferedImage image(int width, int height, int[] argb, boolean alpha) {
         if (width < 1 || height < 1 || argb.length != (long) width * height) {
             throw new IllegalArgumentException("a picture of " + width + " x " + height + " pixels needs "
                     + (long) width * height + " ints, not " + argb.length);
@@ -85,9 +91,14 @@ public final class PngWriter {
                 width,
                 height,
                 width,
-                new int[] {RED_MASK, GREEN_MASK, BLUE_MASK},
+                alpha
+                        ? new int[] {RED_MASK, GREEN_MASK, BLUE_MASK, ALPHA_MASK}
+                        : new int[] {RED_MASK, GREEN_MASK, BLUE_MASK},
                 null);
-        return new BufferedImage(new DirectColorModel(24, RED_MASK, GREEN_MASK, BLUE_MASK), raster, false, null);
+        DirectColorModel model = alpha
+                ? new DirectColorModel(32, RED_MASK, GREEN_MASK, BLUE_MASK, ALPHA_MASK)
+                : new DirectColorModel(24, RED_MASK, GREEN_MASK, BLUE_MASK);
+        return new BufferedImage(model, raster, false, null);
     }
 
     private static void write(BufferedImage image, boolean srgb, Optional<Provenance> made, ImageOutputStream stream)

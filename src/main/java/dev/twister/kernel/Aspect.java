@@ -41,6 +41,9 @@ public final class Aspect {
     /** The kernel's tests of rays and shadow rays against spheres, triangles, the plane and boxes of the hierarchy. */
     public static final int TESTS = 10;
 
+    /** The picture itself, with {@link Guides} as further layers of the linear output. */
+    public static final int GUIDED = 11;
+
     private Aspect() {}
 
     /** 1 if the value is known at the first hit, else 0. */
@@ -50,7 +53,12 @@ public final class Aspect {
 
     /** 1 if the value is a count along the whole path, else 0. */
     public static int isCount(int variant) {
-        return Variant.aspect(variant) >= BOUNCES ? 1 : 0;
+        return (Variant.aspect(variant) >= BOUNCES ? 1 : 0) & (Variant.aspect(variant) < GUIDED ? 1 : 0);
+    }
+
+    /** 1 if the picture has guides, else 0. */
+    public static int isGuided(int variant) {
+        return Variant.aspect(variant) == GUIDED ? 1 : 0;
     }
 
     /** Resets the count of a pixel, if the aspect is a count. */

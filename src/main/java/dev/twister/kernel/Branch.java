@@ -66,7 +66,7 @@ public final class Branch {
                         Scatter.tint(path, 1, Variant.MATERIALS),
                         Scatter.tint(path, 2, Variant.MATERIALS));
         float strongestPassed =
-                strongest(path, path[Layout.ALBEDO], path[Layout.ALBEDO + 1], path[Layout.ALBEDO + 2]) * refracted;
+                strongest(path, path[Layout.PASSING], path[Layout.PASSING + 1], path[Layout.PASSING + 2]) * refracted;
         strongest = strongest < least ? 0f : strongest;
         strongestPassed = strongestPassed < least ? 0f : strongestPassed;
         // The stack cannot overflow as long as colors are at most 1.
@@ -141,12 +141,17 @@ public final class Branch {
             ray[first + Layout.ORIGIN + i] = path[Layout.POINT + i];
             ray[first + Layout.THROUGHPUT + i] = path[Layout.THROUGHPUT + i]
                     * part
-                    * (passes != 0 ? path[Layout.ALBEDO + i] : Scatter.tint(path, i, Variant.MATERIALS));
+                    * (passes != 0 ? path[Layout.PASSING + i] : Scatter.tint(path, i, Variant.MATERIALS));
         }
         ray[first + Layout.LEAVING] = body;
-        ray[first + Layout.INSIDE] = inside;
+        ray[first + Layout.INSIDE] = passes != 0 ? crossed(inside) : inside;
         ray[first + Layout.LEAVING_TRIANGLE] = path[Layout.LEAVING_TRIANGLE];
         ray[first + Layout.BOUNCE] = path[Layout.BOUNCE];
+    }
+
+    /** {@link Layout#INSIDE} of a ray that has crossed a surface. */
+    static float crossed(int inside) {
+        return inside != 0 ? Layout.CROSSED_INTO : Layout.CROSSED_OUT;
     }
 
     /** Applies the weight of the facet sample on a rough surface; 0 for directions on the wrong side. */

@@ -20,7 +20,14 @@ public final class Emitter {
      * @param bounce number of surfaces that the path has left before
      */
     public static void choose(
-            float[] path, int bounce, float[] frame, float[] bodies, float[] looks, float[] meshes, float[] images) {
+            float[] path,
+            int bounce,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            float[] images,
+            int variant) {
         path[Layout.LIGHT_DENSITY] = 0f;
         if (frame[Layout.EMITTERS] > 0f) {
             int place = Noise.emitter(bounce);
@@ -38,9 +45,16 @@ public final class Emitter {
                 path[Layout.EMITTED + 2] = looks[look + Layout.LOOK_EMISSION + 2];
                 if (looks[emitter + Layout.EMITTER_TRIANGLE] < 0f) {
                     towardSphere(path, body, first, second, bodies);
+                    if ((variant & Variant.MAPS) != 0) {
+                        EmissionMap.ofSphere(path, body, frame, bodies, looks, images);
+                    }
                 }
                 if (looks[emitter + Layout.EMITTER_TRIANGLE] >= 0f) {
                     towardTriangle(path, emitter, first, second, frame, bodies, looks, meshes);
+                    if ((variant & Variant.MAPS) != 0) {
+                        EmissionMap.ofTriangle(
+                                path, emitter, first, second, frame, bodies, looks, meshes, images, variant);
+                    }
                 }
             }
             path[Layout.LIGHT_DENSITY] = path[Layout.LIGHT_DENSITY] * looks[emitter + Layout.EMITTER_PROBABILITY];
@@ -116,9 +130,8 @@ public final class Emitter {
                 Instance.at((int) looks[emitter + Layout.EMITTER_INSTANCE], (int) frame[Layout.INSTANCES], bodies);
         int triangle = Instance.triangles(bodies, instance)
                 + Layout.TRIANGLE_STRIDE * (int) looks[emitter + Layout.EMITTER_TRIANGLE];
-        float root = (float) Math.sqrt(first);
-        float b = root * (1f - second);
-        float c = root * second;
+        float b = secondCorner(first, second);
+        float c = thirdCorner(first, second);
         float meshX = meshes[triangle]
                 + b * (meshes[triangle + 3] - meshes[triangle])
                 + c * (meshes[triangle + 6] - meshes[triangle]);
@@ -149,6 +162,25 @@ public final class Emitter {
         path[Layout.LIGHT_DENSITY] = (shines & (spread > 0f ? 1 : 0)) != 0 ? squared / spread : 0f;
     }
 
+    /** The weight of a triangle's second corner at the point that two numbers in [0, 1) choose. */
+    static float secondCorner(float first, float second) {
+        return (float) Math.sqrt(first) * (1f - second);
+    }
+
+    /** That of the third corner. */
+    static float thirdCorner(float first, float second) {
+        return (float) Math.sqrt(first) * second;
+    }
+
+    /** One channel of the radiance that the surface at {@link Layout#POINT} emits. */
+    public static float emission(float[] path, int body, int channel, float[] looks, int variant) {
+        float emission = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + channel];
+        if ((variant & Variant.MAPS) != 0) {
+            emission = path[Layout.EMISSION + channel];
+        }
+        return emission;
+    }
+
     /** 1 if both sides of the body's triangles emit, else 0. */
     private static int isTwoSided(int body, float[] looks) {
         return looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER] > 0f ? 1 : 0;
@@ -166,9 +198,9 @@ public final class Emitter {
      * @param path after {@link Surface#find} and {@link Surface#face}
      */
     public static int shines(float[] path, int body, float[] frame, float[] looks, int variant) {
-        float emission = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION]
-                + looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + 1]
-                + looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + 2];
+        float emission = emission(path, body, 0, looks, variant)
+                + emission(path, body, 1, looks, variant)
+                + emission(path, body, 2, looks, variant);
         int mesh = Surface.isMesh(body, frame, variant);
         float along = mesh != 0 ? Facet.directionDot(path, Layout.FACE) : path[Layout.FROM_INSIDE];
         int seen = (along <= 0f ? 1 : 0) | (mesh & isTwoSided(body, looks));

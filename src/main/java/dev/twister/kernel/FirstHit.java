@@ -85,7 +85,7 @@ final class FirstHit {
         if ((variant & Variant.LIGHTS) != 0) {
             lit = SeveralLights.shade(path, body, 0, scratch, frame, bodies, looks, meshes, variant);
         } else {
-            lit = Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], 1f);
+            lit = Illumination.lit(Illumination.ambient(path, frame, variant), path[Layout.NORMAL_DOT_LIGHT], 1f);
         }
         return lit;
     }

@@ -45,7 +45,7 @@ public final class Hit {
             body = amongLights(path, body, frame, bodies);
         }
         if ((variant & Variant.MESHES) != 0) {
-            body = MeshHit.find(path, body, scratch, frame, bodies, meshes, variant);
+            body = MeshHit.find(path, body, scratch, frame, bodies, looks, meshes, variant);
         }
         return body;
     }

@@ -44,6 +44,15 @@ public final class Illumination {
                 path[Layout.NORMAL] * x + path[Layout.NORMAL + 1] * y + path[Layout.NORMAL + 2] * z;
     }
 
+    /** a: the scene's, less where a map says that the surface is occluded. */
+    public static float ambient(float[] path, float[] frame, int variant) {
+        float ambient = frame[Layout.AMBIENT];
+        if ((variant & Variant.MAPS) != 0) {
+            ambient = ambient * path[Layout.OCCLUSION];
+        }
+        return ambient;
+    }
+
     /** {@code max(a, max(0, N.L) * S)}. */
     public static float lit(float ambient, float normalDotLight, float visible) {
         return normalDotLight * visible > ambient ? normalDotLight * visible : ambient;

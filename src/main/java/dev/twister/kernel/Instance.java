@@ -13,6 +13,14 @@ public final class Instance {
         return vector(bodies, row, x, y, z) + bodies[row + 3];
     }
 
+    /** The sum of the magnitudes that {@link #point} adds, in whose units in the last place it is rounded. */
+    public static float reach(float[] bodies, int row, float x, float y, float z) {
+        return Math.abs(bodies[row] * x)
+                + Math.abs(bodies[row + 1] * y)
+                + Math.abs(bodies[row + 2] * z)
+                + Math.abs(bodies[row + 3]);
+    }
+
     /** One component of a transformed vector. */
     public static float vector(float[] bodies, int row, float x, float y, float z) {
         return bodies[row] * x + bodies[row + 1] * y + bodies[row + 2] * z;
@@ -52,5 +60,15 @@ public final class Instance {
     /** Start of its vertices' texture coordinates. */
     public static int texturePlaces(float[] bodies, int instance) {
         return normals(bodies, instance) + 3 * (int) bodies[instance + Layout.INSTANCE_NORMALS];
+    }
+
+    /** Start of its vertex colors. */
+    public static int colors(float[] bodies, int instance) {
+        return texturePlaces(bodies, instance) + 2 * (int) bodies[instance + Layout.INSTANCE_TEXTURE_PLACES];
+    }
+
+    /** Start of its tangents. */
+    public static int tangents(float[] bodies, int instance) {
+        return colors(bodies, instance) + 4 * (int) bodies[instance + Layout.INSTANCE_COLORS];
     }
 }

@@ -74,8 +74,8 @@ public final class Layout {
     /** Place of the meshes' hierarchy in {@code bodies}. */
     public static final int INSTANCES = 36;
 
-    /** Place of the textures' table in {@code looks}. */
-    public static final int TEXTURES = 37;
+    /** Place of the maps' table in {@code looks}. */
+    public static final int MAPS = 37;
 
     /** For path tracing: limit of what reaches the eye over several surfaces, per channel; 0 for none. */
     public static final int CLAMP = 38;
@@ -151,8 +151,8 @@ public final class Layout {
     /** Index of refraction in [1, 4]; 0 without transmission. */
     public static final int LOOK_IOR = 6;
 
-    /** Number of the texture that multiplies the color, from 1 on; 0 for none. */
-    public static final int LOOK_TEXTURE = 7;
+    /** Number of the body's row in the maps' table, from 1 on; 0 for none. */
+    public static final int LOOK_MAPS = 7;
 
     /**
      * How much of a metal the body is, in [0, 1]; {@code -1 - metallic} if in path tracing Fresnel's equations decide
@@ -177,17 +177,62 @@ public final class Layout {
     public static final int LOOK_STRIDE = 16;
 
     /**
-     * After the bodies' looks, from {@link #TEXTURES} on, a table of the textures: the place of the first texel in
-     * {@code images}, divided by {@value #ALIGNMENT}, so that it is exact as a float; width and height in texels.
+     * After the bodies' looks, from {@link #MAPS} on, a table of the materials with maps. A row has first the maps. A
+     * map is the place of its first texel in {@code images}, divided by {@value #ALIGNMENT}, so that it is exact as a
+     * float; its width and height in texels, 0 if there is no such map; and how it is read: the sum of what is beyond
+     * its borders across and, times {@value #SAMPLER_DOWN}, down (a constant of {@link Texture}),
+     * {@value #SAMPLER_NEAREST} for the nearest texel instead of bilinear ones, and {@value #SAMPLER_COORDINATES} times
+     * the number of the mesh's texture coordinates.
      */
-    public static final int TEXTURE_START = 0;
+    public static final int MAP_START = 0;
 
-    public static final int TEXTURE_WIDTH = 1;
-    public static final int TEXTURE_HEIGHT = 2;
-    public static final int TEXTURE_STRIDE = 3;
+    public static final int MAP_WIDTH = 1;
+    public static final int MAP_HEIGHT = 2;
+    public static final int MAP_SAMPLER = 3;
+    public static final int SAMPLER_DOWN = 3;
+    public static final int SAMPLER_NEAREST = 9;
+    public static final int SAMPLER_COORDINATES = 18;
+
+    /** The maps that multiply color and emission, roughness (green) and metallic (blue). */
+    public static final int MAPS_COLOR = 0;
+
+    public static final int MAPS_EMISSION = 4;
+    public static final int MAPS_ROUGHNESS = 8;
+    public static final int MAPS_METALLIC = 12;
+
+    /** Normals in tangent space, x and y right and up on the image, from -1 at 0 to 1 at 1. */
+    public static final int MAPS_NORMAL = 16;
+
+    /** Maps that multiply the ambient light (red) and the transmission (red). */
+    public static final int MAPS_OCCLUSION = 20;
+
+    public static final int MAPS_TRANSMISSION = 24;
+
+    /** Opacity; its texels, one float each, are in {@code meshes}. */
+    public static final int MAPS_ALPHA = 28;
+
+    /** Factor of the normals' x and y, and how much the occlusion map counts, in [0, 1]. */
+    public static final int MAPS_NORMAL_SCALE = 32;
+
+    public static final int MAPS_OCCLUSION_STRENGTH = 33;
+
+    /** What multiplies the opacity; the mask's cutoff, or {@link #BLENDED} or {@link #OPAQUE}. */
+    public static final int MAPS_ALPHA_FACTOR = 34;
+
+    public static final int MAPS_CUTOFF = 35;
+    public static final int BLENDED = -1;
+    public static final int OPAQUE = -2;
+
+    /** 1 if colors of the mesh's vertices multiply color and opacity, else 0. */
+    public static final int MAPS_VERTEX_COLORS = 36;
+
+    /** 1 if the color shows as it is, without light, else 0. */
+    public static final int MAPS_UNLIT = 37;
+
+    public static final int MAPS_STRIDE = 38;
 
     /**
-     * After the textures' table, from {@link #EMITTER_TABLE} on, the emitters of path tracing, each with the sum of the
+     * After the maps' table, from {@link #EMITTER_TABLE} on, the emitters of path tracing, each with the sum of the
      * probabilities up to and including its own, its probability, its body ({@link #NOTHING} for the sky), and for a
      * triangle its instance, its number (else -1) and its area in square meters.
      */
@@ -200,10 +245,10 @@ public final class Layout {
     public static final int EMITTER_AREA = 5;
     public static final int EMITTER_STRIDE = 6;
 
-    /** Meshes and textures start at multiples of it. */
+    /** Meshes and maps start at multiples of it. */
     public static final int ALIGNMENT = 256;
 
-    /** {@code float[] images}, three floats per texel, row by row from the top: the panorama, then the textures. */
+    /** {@code float[] images}, three floats per texel, row by row from the top: the panorama, then the maps. */
     public static final int TEXEL_STRIDE = 3;
 
     /**
@@ -256,12 +301,20 @@ public final class Layout {
     public static final int INSTANCE_TRIANGLES = 27;
     public static final int INSTANCE_NORMALS = 28;
     public static final int INSTANCE_TEXTURE_PLACES = 29;
-    public static final int INSTANCE_STRIDE = 30;
+
+    /** The mesh's numbers of vertices, vertex colors and tangents. */
+    public static final int INSTANCE_VERTICES = 30;
+
+    public static final int INSTANCE_COLORS = 31;
+    public static final int INSTANCE_TANGENTS = 32;
+    public static final int INSTANCE_STRIDE = 33;
 
     /**
      * {@code float[] meshes}, all distinct meshes. A mesh has nodes as above, the root first, with numbers of nodes and
      * triangles as links; then the triangles in the order of the leaves; then, if it has them, the vertices' unit
-     * normals and texture coordinates (u, v). A triangle has its three corners, then their vertex numbers.
+     * normals, texture coordinates (u, v; one set of all vertices after the other), colors (red, green, blue, opacity)
+     * and tangents (x, y, z, and the sign of cross(normal, tangent) on the side of the image's upper border). A
+     * triangle has its three corners, then their vertex numbers. Opacity maps follow the meshes.
      */
     public static final int TRIANGLE_VERTICES = 9;
 
@@ -313,15 +366,23 @@ public final class Layout {
     public static final int SCRATCH_LENGTH = SCRATCH_RAYS + RAY_STRIDE * MOST_WAITING_RAYS;
 
     /**
-     * {@code float[] path}, one per thread: the ray; the body that it leaves, whether it continues inside that body (1,
-     * else 0), and that body's triangle; the throughput per channel, which is the part of the radiance found from here
-     * on that reaches the pixel.
+     * {@code float[] path}, one per thread: the ray; the body that it leaves, whether it continues inside that body
+     * (above 0), and that body's triangle; the throughput per channel, which is the part of the radiance found from
+     * here on that reaches the pixel.
      */
     public static final int ORIGIN = 0;
 
     public static final int DIRECTION = 3;
     public static final int LEAVING = 6;
     public static final int INSIDE = 7;
+
+    /**
+     * Values of {@link #INSIDE} of a ray that has crossed the surface that it leaves: it meets other bodies' surfaces
+     * in the same place, such as the table below a glass.
+     */
+    public static final float CROSSED_INTO = 2f;
+
+    public static final float CROSSED_OUT = -1f;
 
     /** The triangle that the ray leaves, if the body is a mesh. */
     public static final int LEAVING_TRIANGLE = 8;
@@ -408,58 +469,99 @@ public final class Layout {
     /** The direction's components along the two other axes divided by the dominant one, and the inverse of that. */
     public static final int MESH_SHEAR = 69;
 
-    /** How much of a metal the surface is, and whether Fresnel's equations decide what it reflects (1, else 0). */
-    public static final int METALLIC = 72;
+    /**
+     * The largest sum of magnitudes of the terms of the origin's coordinates, on which their rounding depends; negative
+     * if the ray meets a surface in which it starts.
+     */
+    public static final int MESH_REACH = 72;
 
-    public static final int IS_FRESNEL = 73;
+    /** How much of a metal the surface is, and whether Fresnel's equations decide what it reflects (1, else 0). */
+    public static final int METALLIC = 73;
+
+    public static final int IS_FRESNEL = 74;
 
     /** With several lights: the body of the one that shades, and the sum of their highlights. */
-    public static final int SHADING_LIGHT = 74;
+    public static final int SHADING_LIGHT = 75;
 
-    public static final int HIGHLIGHT = 75;
+    public static final int HIGHLIGHT = 76;
 
-    public static final int PATH_LENGTH = 78;
+    /** What multiplies light that passes the surface. */
+    public static final int PASSING = 79;
+
+    /** With {@link Variant#MAPS}: emitted radiance; what multiplies the ambient light. */
+    public static final int EMISSION = 82;
+
+    public static final int OCCLUSION = 85;
+
+    /** Barycentric weights of the hit triangle's second and third corner. */
+    public static final int CORNER_PARTS = 86;
+
+    /** The hit point's place in a map, in texels from the first one's center. */
+    public static final int TEXEL = 88;
+
+    /** Directions of a normal map's right and upper border on the surface, of any length. */
+    public static final int TANGENT = 90;
+
+    public static final int UPWARD = 93;
+
+    public static final int PATH_LENGTH = 96;
 
     /** For path tracing: index of refraction on the ray's side divided by that on the other side. */
-    public static final int RATIO = 78;
+    public static final int RATIO = 96;
 
     /** 1 for the plane, which has no inside, else 0. */
-    public static final int IS_SHEET = 79;
+    public static final int IS_SHEET = 97;
 
     /** Weights of the constant reflection, of the dielectric one, of the matte part and of transmission. */
-    public static final int PART_MIRROR = 80;
+    public static final int PART_MIRROR = 98;
 
-    public static final int PART_COAT = 81;
-    public static final int PART_MATTE = 82;
-    public static final int PART_GLASS = 83;
+    public static final int PART_COAT = 99;
+    public static final int PART_MATTE = 100;
+    public static final int PART_GLASS = 101;
 
     /** Probabilities of the lobes. */
-    public static final int CHOICE_MIRROR = 84;
+    public static final int CHOICE_MIRROR = 102;
 
-    public static final int CHOICE_MATTE = 85;
-    public static final int CHOICE_GLASS = 86;
+    public static final int CHOICE_MATTE = 103;
+    public static final int CHOICE_GLASS = 104;
 
     /** {@code f * |cos|} per channel. */
-    public static final int SCATTERED = 87;
+    public static final int SCATTERED = 105;
 
     /** Density per steradian with which the surface chose the path's ray; 0 if it had no choice. */
-    public static final int SURFACE_DENSITY = 90;
+    public static final int SURFACE_DENSITY = 108;
 
     /** The next ray: its direction, and whether it is inside the body (1, else 0). */
-    public static final int NEXT_DIRECTION = 91;
+    public static final int NEXT_DIRECTION = 109;
 
-    public static final int NEXT_INSIDE = 94;
+    public static final int NEXT_INSIDE = 112;
 
     /** Density per steradian of the chosen emitter's direction, its radiance, and what it adds unless blocked. */
-    public static final int LIGHT_DENSITY = 95;
+    public static final int LIGHT_DENSITY = 113;
 
-    public static final int EMITTED = 96;
-    public static final int DIRECT = 99;
+    public static final int EMITTED = 114;
+    public static final int DIRECT = 117;
 
     /** Unit normal of the chosen triangle. */
-    public static final int EMITTER_FACE = 102;
+    public static final int EMITTER_FACE = 120;
 
-    public static final int TRACED_PATH_LENGTH = 105;
+    /** Number of rays followed so far, if the opacity of meshes is a matter of chance. */
+    public static final int RAYS = 123;
+
+    public static final int TRACED_PATH_LENGTH = 124;
+
+    /** With {@link Guides}: the sums over the pixel's samples. */
+    public static final int GUIDE_ALBEDO = TRACED_PATH_LENGTH;
+
+    public static final int GUIDE_NORMAL = TRACED_PATH_LENGTH + 3;
+
+    /** What the albedo is multiplied by: the tint of the mirrors and glass so far. */
+    public static final int GUIDE_TINT = TRACED_PATH_LENGTH + 6;
+
+    /** 1 while the sample's guides are looked for, 0 once they are found, -n while they wait for the n-th ray. */
+    public static final int GUIDE_STATE = TRACED_PATH_LENGTH + 9;
+
+    public static final int GUIDED_PATH_LENGTH = TRACED_PATH_LENGTH + 10;
 
     /** The largest reflectivity, that of a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;

@@ -218,7 +218,7 @@ public final class Lobes {
         }
         int crosses = glass & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
         float inside = path[Layout.FROM_INSIDE];
-        path[Layout.NEXT_INSIDE] = crosses != 0 ? 1f - inside : inside;
+        path[Layout.NEXT_INSIDE] = crosses != 0 ? Branch.crossed(inside > 0f ? 0 : 1) : inside;
         int spread = matte | (path[Layout.ROUGHNESS] > 0f ? 1 : 0);
         if (spread == 0) {
             mirrorLike(path, glass);

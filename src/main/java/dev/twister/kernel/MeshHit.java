@@ -14,7 +14,14 @@ final class MeshHit {
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      */
     static int find(
-            float[] path, int closest, float[] scratch, float[] frame, float[] bodies, float[] meshes, int variant) {
+            float[] path,
+            int closest,
+            float[] scratch,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            int variant) {
         float originX = path[Layout.ORIGIN];
         float originY = path[Layout.ORIGIN + 1];
         float originZ = path[Layout.ORIGIN + 2];
@@ -58,7 +65,7 @@ final class MeshHit {
                 next = near <= path[Layout.DISTANCE] ? child + Layout.NODE_STRIDE * swapped : Layout.NO_NODE;
             }
             for (int i = 0; i < count; i++) {
-                hit = inMesh(path, hit, link + i, scratch, frame, bodies, meshes, variant);
+                hit = inMesh(path, hit, link + i, scratch, frame, bodies, looks, meshes, variant);
             }
             while (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
@@ -79,6 +86,7 @@ final class MeshHit {
             float[] scratch,
             float[] frame,
             float[] bodies,
+            float[] looks,
             float[] meshes,
             int variant) {
         int instance = Instance.at(number, (int) frame[Layout.INSTANCES], bodies);
@@ -101,6 +109,9 @@ final class MeshHit {
         int nodes = Instance.nodes(bodies, instance);
         int triangles = Instance.triangles(bodies, instance);
         int body = (int) bodies[instance + Layout.INSTANCE_BODY];
+        int crossed = (path[Layout.INSIDE] < 0f ? 1 : 0) | (path[Layout.INSIDE] > 1f ? 1 : 0);
+        int meetsTouching = crossed & (body == (int) path[Layout.LEAVING] ? 0 : 1);
+        path[Layout.MESH_REACH] = meetsTouching != 0 ? -path[Layout.MESH_REACH] : path[Layout.MESH_REACH];
         int ignored = body == (int) path[Layout.LEAVING] ? (int) path[Layout.LEAVING_TRIANGLE] : Layout.NOTHING;
         int hit = closest;
         float distance = path[Layout.DISTANCE];
@@ -133,7 +144,14 @@ final class MeshHit {
                 int triangle = link + i;
                 float met = Triangle.distance(path, triangles + Layout.TRIANGLE_STRIDE * triangle, meshes);
                 int near = (met <= distance * (1f + Coincidence.TOLERANCE) ? 1 : 0) & (met < Intersection.MISS ? 1 : 0);
-                if ((near & (triangle != ignored ? 1 : 0)) != 0) {
+                int candidate = near & (triangle != ignored ? 1 : 0);
+                if ((variant & Variant.MASKS) != 0) {
+                    if (candidate != 0) {
+                        candidate =
+                                1 - Opacity.lets(path, body, instance, triangle, frame, bodies, looks, meshes, variant);
+                    }
+                }
+                if (candidate != 0) {
                     int taken = Coincidence.replaces(path, hit, distance, met, number, triangle, frame, bodies, meshes);
                     if (taken != 0) {
                         hit = body;

@@ -46,5 +46,8 @@ public final class MeshRay {
         path[Layout.MESH_SHEAR] = Triangle.along(firstAxis, directionX, directionY, directionZ) * inverse;
         path[Layout.MESH_SHEAR + 1] = Triangle.along(secondAxis, directionX, directionY, directionZ) * inverse;
         path[Layout.MESH_SHEAR + 2] = inverse;
+        path[Layout.MESH_REACH] = Math.max(
+                Math.max(Instance.reach(bodies, row, x, y, z), Instance.reach(bodies, row + 4, x, y, z)),
+                Instance.reach(bodies, row + 8, x, y, z));
     }
 }

@@ -127,18 +127,18 @@ final class MeshShadow {
             for (int i = 0; i < count && lit != 0; i++) {
                 int instance = Instance.at(link + i, (int) frame[Layout.INSTANCES], bodies);
                 int body = (int) bodies[instance + Layout.INSTANCE_BODY];
-                int met = isMet(
+                MeshRay.enter(
                         path,
                         instance,
-                        body == own ? (int) path[Layout.LEAVING_TRIANGLE] : Layout.NOTHING,
+                        path[Layout.POINT],
+                        path[Layout.POINT + 1],
+                        path[Layout.POINT + 2],
                         directionX,
                         directionY,
                         directionZ,
-                        scratch,
-                        bodies,
-                        meshes,
-                        variant);
-                light = met != 0 ? light * Shadow.transmission(body, looks, variant) : light;
+                        bodies);
+                int ignored = body == own ? (int) path[Layout.LEAVING_TRIANGLE] : Layout.NOTHING;
+                light = light * passed(path, body, instance, ignored, scratch, frame, bodies, looks, meshes, variant);
                 lit = light > 0f ? 1 : 0;
             }
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
@@ -150,28 +150,22 @@ final class MeshShadow {
         return light;
     }
 
-    /** 1 if any triangle of the instance except the ignored one lies between the point and the end of the direction. */
-    private static int isMet(
+    /**
+     * The part of the light in [0, 1] that passes an instance. Any triangle except the ignored one, between the point
+     * and the end of the direction, leaves the body's transmission; each triangle of one that is not opaque leaves what
+     * it lets through.
+     */
+    private static float passed(
             float[] path,
+            int body,
             int instance,
             int ignored,
-            float worldX,
-            float worldY,
-            float worldZ,
             float[] scratch,
+            float[] frame,
             float[] bodies,
+            float[] looks,
             float[] meshes,
             int variant) {
-        MeshRay.enter(
-                path,
-                instance,
-                path[Layout.POINT],
-                path[Layout.POINT + 1],
-                path[Layout.POINT + 2],
-                worldX,
-                worldY,
-                worldZ,
-                bodies);
         float x = path[Layout.MESH_ORIGIN];
         float y = path[Layout.MESH_ORIGIN + 1];
         float z = path[Layout.MESH_ORIGIN + 2];
@@ -186,6 +180,7 @@ final class MeshShadow {
         int node = rootEntry <= 1f ? nodes : Layout.NO_NODE;
         int waiting = 0;
         int met = 0;
+        float through = 1f;
         while (node != Layout.NO_NODE) {
             int link = (int) meshes[node + Layout.NODE_LINK];
             int count = (int) meshes[node + Layout.NODE_SPHERES];
@@ -206,7 +201,15 @@ final class MeshShadow {
             }
             for (int i = 0; i < count; i++) {
                 float distance = Triangle.distance(path, triangles + Layout.TRIANGLE_STRIDE * (link + i), meshes);
-                met = met | ((distance < 1f ? 1 : 0) & (link + i != ignored ? 1 : 0));
+                int between = (distance < 1f ? 1 : 0) & (link + i != ignored ? 1 : 0);
+                if ((variant & Variant.MASKS) != 0) {
+                    if (between != 0) {
+                        float opening = Opacity.passed(path, body, instance, link + i, frame, bodies, looks, meshes);
+                        through = through * opening;
+                        between = opening > 0f ? 0 : 1;
+                    }
+                }
+                met = met | between;
             }
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
@@ -214,6 +217,6 @@ final class MeshShadow {
             }
             node = met == 0 ? next : Layout.NO_NODE;
         }
-        return met;
+        return met != 0 ? Shadow.transmission(body, looks, variant) : through;
     }
 }

@@ -37,12 +37,27 @@ public final class MeshSurface {
         float z = between(triangle + 2, 3, b, c, meshes);
         int back = instance + Layout.INSTANCE_TO_WORLD;
         path[Layout.POINT] = Instance.point(bodies, back, x, y, z);
-        path[Layout.POINT + 1] = Instance.point(bodies, back + 4, x, y, z);
+        path[Layout.POINT + 1] = onPlane(
+                Instance.point(bodies, back + 4, x, y, z),
+                Instance.reach(bodies, back + 4, x, y, z),
+                bodies[Layout.PLACE_STRIDE * Layout.PLANE + 1]);
         path[Layout.POINT + 2] = Instance.point(bodies, back + 8, x, y, z);
         writeFace(path, Layout.FACE, instance, triangle, bodies, meshes);
         writeNormal(path, instance, triangle, b, c, bodies, meshes);
-        writeTexturePlace(path, instance, triangle, b, c, bodies, meshes);
+        writeTexturePlace(path, instance, triangle, 0, b, c, bodies, meshes);
+        if ((variant & Variant.MAPS) != 0) {
+            path[Layout.CORNER_PARTS] = b;
+            path[Layout.CORNER_PARTS + 1] = c;
+        }
         path[Layout.LEAVING_TRIANGLE] = path[Layout.TRIANGLE];
+    }
+
+    /**
+     * The height of a point: the plane's where rounding cannot tell them apart. A ray that leaves the point does not
+     * meet the plane then, nor does a shadow ray.
+     */
+    private static float onPlane(float y, float reach, float height) {
+        return Math.abs(y - height) <= Triangle.ROUNDING * (reach + Math.abs(height)) ? height : y;
     }
 
     /** Interpolates one coordinate of the corners, which are {@code stride} apart. */
@@ -108,10 +123,17 @@ public final class MeshSurface {
         path[Layout.NORMAL + 2] = side * path[Layout.NORMAL + 2];
     }
 
-    private static void writeTexturePlace(
-            float[] path, int instance, int triangle, float b, float c, float[] bodies, float[] meshes) {
+    /**
+     * Writes texture coordinates of a point of a triangle.
+     *
+     * @param set which of the mesh's coordinates, from 0 on
+     * @param b with c: weights of the second and the third corner
+     */
+    static void writeTexturePlace(
+            float[] path, int instance, int triangle, int set, float b, float c, float[] bodies, float[] meshes) {
         if (bodies[instance + Layout.INSTANCE_TEXTURE_PLACES] > 0f) {
-            int places = Instance.texturePlaces(bodies, instance);
+            int places = Instance.texturePlaces(bodies, instance)
+                    + 2 * set * (int) bodies[instance + Layout.INSTANCE_VERTICES];
             int atA = places + 2 * (int) meshes[triangle + Layout.TRIANGLE_VERTICES];
             int atB = places + 2 * (int) meshes[triangle + Layout.TRIANGLE_VERTICES + 1];
             int atC = places + 2 * (int) meshes[triangle + Layout.TRIANGLE_VERTICES + 2];

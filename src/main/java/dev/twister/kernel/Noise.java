@@ -58,6 +58,13 @@ public final class Noise {
         return number;
     }
 
+    /** The number that decides whether the path's ray goes through a blended triangle of a body. */
+    static float crossing(float[] path, int body, int triangle, float[] frame) {
+        int ray = mixed((int) path[Layout.RAYS] & BITS);
+        int place = mixed(mixed(triangle & BITS) ^ mixed((triangle >> 16) ^ mixed(body & BITS)) ^ ray) >> 1;
+        return fresh(path, Math.max(place, Layout.SAMPLE_STRIDE), frame);
+    }
+
     /** Place of the three numbers that choose an emitter. */
     static int emitter(int bounce) {
         return Layout.SAMPLE_SURFACE + PLACES * bounce;

@@ -53,20 +53,31 @@ public final class Path {
                 lit = SeveralLights.shade(path, body, 1, scratch, frame, bodies, looks, meshes, variant);
             } else {
                 visible = visible(path, body, scratch, frame, bodies, looks, meshes, variant);
-                lit = Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
+                lit = Illumination.lit(
+                        Illumination.ambient(path, frame, variant), path[Layout.NORMAL_DOT_LIGHT], visible);
             }
+            Guides.meet(path, mirror(path, frame), transmission(path, frame, variant), variant);
+            int waiting = (int) path[Layout.WAITING];
             scatter(path, body, visible, lit, scratch, frame, looks, variant);
+            Guides.split(path, waiting, variant);
             goesOn = path[Layout.THROUGHPUT] + path[Layout.THROUGHPUT + 1] + path[Layout.THROUGHPUT + 2] > 0f ? 1 : 0;
         }
         if (body == Layout.NOTHING) {
             SkyLookup.add(path, frame, images);
+            if (Aspect.isGuided(variant) != 0) {
+                SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
+                Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
+            }
         }
         if (isLight != 0) {
             Illumination.add(path, body, looks);
+            int look = Layout.LOOK_STRIDE * body;
+            Guides.shine(path, looks[look], looks[look + 1], looks[look + 2], variant);
         }
         if ((variant & Variant.MATERIALS) != 0) {
             if (((goesOn == 0 ? 1 : 0) & (path[Layout.WAITING] > 0f ? 1 : 0)) != 0) {
                 Branch.resume(path, scratch);
+                Guides.resume(path, variant);
                 goesOn = 1;
             }
         }
@@ -89,8 +100,14 @@ public final class Path {
             int variant) {
         Surface.find(path, body, frame, bodies, meshes, variant);
         SurfaceLook.find(path, body, frame, looks, images, variant);
+        if ((variant & Variant.MAPS) != 0) {
+            SurfaceMaps.find(path, body, frame, bodies, looks, meshes, images, variant);
+        }
         if ((variant & Variant.MATERIALS) != 0) {
             Surface.face(path, body, frame, variant);
+        }
+        if ((variant & Variant.MAPS) != 0) {
+            NormalMap.apply(path, body, frame, bodies, looks, meshes, images, variant);
         }
         Illumination.aim(path, Layout.LIGHT, bodies);
     }

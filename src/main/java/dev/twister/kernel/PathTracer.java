@@ -40,6 +40,7 @@ public final class PathTracer {
         int bounce = 0;
         int ray = TO_SURFACE;
         path[Layout.SURFACE_DENSITY] = 0f;
+        path[Layout.RAYS] = 0f;
         while (ray != NO_RAY) {
             int meets = ray == TO_SURFACE ? 1 : 0;
             ray = step(path, bounce, ray, scratch, frame, bodies, looks, meshes, images, variant);
@@ -69,6 +70,9 @@ public final class PathTracer {
         int direct = ray == TO_EMITTER ? 1 : 0;
         float limit = direct != 0 ? path[Layout.LIGHT_DISTANCE] : Intersection.MISS;
         int body = Hit.within(path, limit, scratch, frame, bodies, looks, meshes, variant);
+        if ((variant & Variant.MASKS) != 0) {
+            path[Layout.RAYS] = path[Layout.RAYS] + 1f;
+        }
         int toEmitter = 0;
         int goesOn = 0;
         if (direct != 0) {
@@ -77,7 +81,7 @@ public final class PathTracer {
         }
         if (direct == 0) {
             if (body == Layout.NOTHING) {
-                addSky(path, bounce, frame, looks, images);
+                addSky(path, bounce, frame, looks, images, variant);
             }
             if (body > Layout.NOTHING) {
                 meet(path, body, frame, bodies, looks, meshes, images, variant);
@@ -86,6 +90,7 @@ public final class PathTracer {
             int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
             if (isSurface != 0) {
                 toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
+                Guides.trace(path, variant);
             }
             goesOn = isSurface != 0 ? carriesLight(path) : 0;
             Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
@@ -109,7 +114,13 @@ public final class PathTracer {
             int variant) {
         Surface.find(path, body, frame, bodies, meshes, variant);
         SurfaceLook.find(path, body, frame, looks, images, variant);
+        if ((variant & Variant.MAPS) != 0) {
+            SurfaceMaps.find(path, body, frame, bodies, looks, meshes, images, variant);
+        }
         Surface.face(path, body, frame, variant);
+        if ((variant & Variant.MAPS) != 0) {
+            NormalMap.apply(path, body, frame, bodies, looks, meshes, images, variant);
+        }
         int medium = path[Layout.FROM_INSIDE] > 0f ? body : (int) path[Layout.LEAVING];
         if (path[Layout.FROM_INSIDE] + path[Layout.INSIDE] > 0f) {
             absorb(path, Layout.LOOK_STRIDE * medium + Layout.LOOK_ABSORPTION, looks);
@@ -130,13 +141,14 @@ public final class PathTracer {
         return 1f / (1f + ratio * ratio);
     }
 
-    private static void addSky(float[] path, int bounce, float[] frame, float[] looks, float[] images) {
+    private static void addSky(float[] path, int bounce, float[] frame, float[] looks, float[] images, int variant) {
         float weight = 1f;
         if (path[Layout.SURFACE_DENSITY] > 0f) {
             weight = weight(path[Layout.SURFACE_DENSITY], Emitter.skyDensity(path, frame, looks, images));
         }
         SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
         add(path, weight, bounce > 1 ? 1 : 0, frame);
+        Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
     }
 
     private static void addEmission(
@@ -148,9 +160,10 @@ public final class PathTracer {
                         path[Layout.SURFACE_DENSITY], Emitter.density(path, body, frame, bodies, looks, variant));
             }
             for (int channel = 0; channel < 3; channel++) {
-                path[Layout.EMITTED + channel] = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + channel];
+                path[Layout.EMITTED + channel] = Emitter.emission(path, body, channel, looks, variant);
             }
             add(path, weight, bounce > 1 ? 1 : 0, frame);
+            Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
         }
     }
 
@@ -184,7 +197,7 @@ public final class PathTracer {
         Lobes.prepare(path, body, frame, variant);
         int toEmitter = 0;
         if (Lobes.scatters(path) != 0) {
-            Emitter.choose(path, bounce, frame, bodies, looks, meshes, images);
+            Emitter.choose(path, bounce, frame, bodies, looks, meshes, images, variant);
             if (path[Layout.LIGHT_DENSITY] > 0f) {
                 toEmitter = direct(path, bounce, frame);
             }
@@ -209,7 +222,7 @@ public final class PathTracer {
                     + path[Layout.TO_LIGHT + 2] * path[Layout.NORMAL + 2];
             float inside = path[Layout.FROM_INSIDE];
             int crosses = (side < 0f ? 1 : 0) & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
-            path[Layout.INSIDE] = crosses != 0 ? 1f - inside : inside;
+            path[Layout.INSIDE] = crosses != 0 ? Branch.crossed(inside > 0f ? 0 : 1) : inside;
             for (int axis = 0; axis < 3; axis++) {
                 path[Layout.DIRECTION + axis] = path[Layout.TO_LIGHT + axis];
             }

@@ -31,8 +31,10 @@ public final class PixelKernel {
         path[Layout.RADIANCE + 1] = 0f;
         path[Layout.RADIANCE + 2] = 0f;
         Aspect.start(path, variant);
+        Guides.start(path, variant);
         for (int sample = 0; sample < samples; sample++) {
             start(path, column, row, sample, frame);
+            Guides.begin(path, variant);
             add(path, scratch, frame, bodies, looks, meshes, images, variant);
         }
         Aspect.finish(path, variant);
@@ -43,10 +45,20 @@ public final class PixelKernel {
      *
      * @param pixels {@code int[width * rows]} if the output is ARGB, else any array
      * @param radiance {@code float[3 * width * rows]} if the output is linear, else any array
+     * @param layers planes of {@code 3 * width * rows} floats for further layers if there are any, else any array
+     * @param firstLayer place of the first plane
      * @param path after {@link #draw}
      */
     public static void store(
-            int column, int row, int[] pixels, float[] radiance, float[] path, float[] frame, int variant) {
+            int column,
+            int row,
+            int[] pixels,
+            float[] radiance,
+            float[] layers,
+            int firstLayer,
+            float[] path,
+            float[] frame,
+            int variant) {
         int samples = (int) frame[Layout.PIXEL_SAMPLES];
         int pixel = row * (int) frame[Layout.WIDTH] + column;
         float average = 1f / samples;
@@ -54,6 +66,8 @@ public final class PixelKernel {
             radiance[3 * pixel] = path[Layout.RADIANCE] * average;
             radiance[3 * pixel + 1] = path[Layout.RADIANCE + 1] * average;
             radiance[3 * pixel + 2] = path[Layout.RADIANCE + 2] * average;
+            int plane = 3 * (int) frame[Layout.WIDTH] * (int) frame[Layout.ROWS];
+            Guides.store(layers, firstLayer + 3 * pixel, plane, path, average, variant);
         } else {
             pixels[pixel] = Tone.argb(path, average, frame);
         }

@@ -53,8 +53,7 @@ public final class Scatter {
         if (Emitter.shines(path, body, frame, looks, variant) != 0) {
             for (int channel = 0; channel < 3; channel++) {
                 path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
-                        + path[Layout.THROUGHPUT + channel]
-                                * looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + channel];
+                        + path[Layout.THROUGHPUT + channel] * Emitter.emission(path, body, channel, looks, variant);
             }
         }
     }

@@ -50,7 +50,7 @@ public final class SeveralLights {
                 path[Layout.HIGHLIGHT + channel] = path[Layout.HIGHLIGHT + channel] + looks[look + channel] * specular;
             }
         }
-        return Math.max(sum, frame[Layout.AMBIENT]);
+        return Math.max(sum, Illumination.ambient(path, frame, variant));
     }
 
     /** What a light adds to lit: {@code k * max(0, N.L) * S}. */

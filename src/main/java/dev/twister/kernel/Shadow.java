@@ -81,7 +81,7 @@ public final class Shadow {
     /** 1 if S affects the surface's reflected light, else 0. With several lights that is so for all in front. */
     public static int matters(float[] path, float[] frame, int variant) {
         float cosine = path[Layout.NORMAL_DOT_LIGHT];
-        float least = frame[Layout.AMBIENT];
+        float least = Illumination.ambient(path, frame, variant);
         if ((variant & Variant.LIGHTS) != 0) {
             least = 0f;
         }

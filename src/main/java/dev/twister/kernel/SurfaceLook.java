@@ -35,9 +35,24 @@ public final class SurfaceLook {
             float metallic = looks[look + Layout.LOOK_METALLIC];
             path[Layout.IS_FRESNEL] = metallic < 0f ? 1f : 0f;
             path[Layout.METALLIC] = metallic < 0f ? -1f - metallic : metallic;
-            int texture = (int) looks[look + Layout.LOOK_TEXTURE];
-            if (texture > 0) {
-                Texture.multiply(path, body, texture, frame, looks, images, variant);
+            if ((variant & Variant.MAPS) == 0) {
+                multiplyByTexture(path, body, frame, looks, images, variant);
+            }
+            for (int channel = 0; channel < 3; channel++) {
+                path[Layout.PASSING + channel] = path[Layout.ALBEDO + channel];
+            }
+        }
+    }
+
+    private static void multiplyByTexture(
+            float[] path, int body, float[] frame, float[] looks, float[] images, int variant) {
+        int maps = (int) looks[Layout.LOOK_STRIDE * body + Layout.LOOK_MAPS];
+        if (maps > 0) {
+            int map = (int) frame[Layout.MAPS] + Layout.MAPS_STRIDE * (maps - 1) + Layout.MAPS_COLOR;
+            Texture.aim(path, map, body, frame, looks, variant);
+            for (int channel = 0; channel < 3; channel++) {
+                path[Layout.ALBEDO + channel] =
+                        path[Layout.ALBEDO + channel] * Texture.channel(path, map, channel, looks, images);
             }
         }
     }

@@ -1,27 +1,27 @@
 package dev.twister.kernel;
 
-/** A texture, bilinear between texel centers, which multiplies a body's color. */
+/** A map on a surface, such as the texture that multiplies its color; bilinear between texel centers. */
 public final class Texture {
     private Texture() {}
 
+    /** What is beyond a map's borders: the map again, the border's texels, or every second time the mirrored map. */
+    public static final int REPEAT = 0;
+
+    public static final int CLAMP = 1;
+    public static final int MIRROR = 2;
+
     /**
-     * Multiplies the albedo at {@link Layout#POINT}. A sphere's texture wraps around it once, so that text is readable
-     * from outside, and its first and last rows end at the poles. The plane's texture repeats every meter, with its
-     * upper edge away from a camera that looks along z. A mesh's texture repeats and uses {@link Layout#TEXTURE_PLACE}.
+     * Writes {@link Layout#TEXEL}, the place of {@link Layout#POINT} in a map. A sphere's map wraps around it once, so
+     * that text is readable from outside, and its first and last rows end at the poles. The plane's map repeats every
+     * meter, with its upper edge away from a camera that looks along z. A mesh's uses {@link Layout#TEXTURE_PLACE}.
      *
      * @param path {@link Layout#PATH_LENGTH} floats, with the outward normal
+     * @param map its place in {@code looks}
      * @param body any except the light
-     * @param texture its number, from 1 on
      */
-    static void multiply(
-            float[] path, int body, int texture, float[] frame, float[] looks, float[] images, int variant) {
-        int at = (int) frame[Layout.TEXTURES] + Layout.TEXTURE_STRIDE * (texture - 1);
-        int start = Layout.ALIGNMENT * (int) looks[at + Layout.TEXTURE_START];
-        int width = (int) looks[at + Layout.TEXTURE_WIDTH];
-        int height = (int) looks[at + Layout.TEXTURE_HEIGHT];
-        float normalX = path[Layout.NORMAL];
-        float normalY = path[Layout.NORMAL + 1];
-        float normalZ = path[Layout.NORMAL + 2];
+    static void aim(float[] path, int map, int body, float[] frame, float[] looks, int variant) {
+        int width = (int) looks[map + Layout.MAP_WIDTH];
+        int height = (int) looks[map + Layout.MAP_HEIGHT];
         int plane = body == Layout.PLANE ? 1 : 0;
         int mesh = Surface.isMesh(body, frame, variant);
         float u = path[Layout.POINT];
@@ -30,28 +30,82 @@ public final class Texture {
             u = path[Layout.TEXTURE_PLACE];
             v = path[Layout.TEXTURE_PLACE + 1];
         }
-        int repeats = plane | mesh;
-        float column = repeats != 0 ? fraction(u) * width - 0.5f : SkyLookup.column(normalX, -normalZ, 0f, width);
-        float toPole = Math.min(Math.max(SkyLookup.row(normalX, normalY, normalZ, height), 0f), height - 1f);
-        float row = repeats != 0 ? fraction(v) * height - 0.5f : toPole;
-        for (int channel = 0; channel < 3; channel++) {
-            path[Layout.ALBEDO + channel] =
-                    path[Layout.ALBEDO + channel] * color(start, width, height, column, row, channel, images);
+        if ((plane | mesh) != 0) {
+            path[Layout.TEXEL] = fraction(u) * width - 0.5f;
+            path[Layout.TEXEL + 1] = fraction(v) * height - 0.5f;
+            if ((variant & Variant.MAPS) != 0) {
+                int sampler = (int) looks[map + Layout.MAP_SAMPLER];
+                path[Layout.TEXEL] = place(u, width, sampler % Layout.SAMPLER_DOWN, isNearest(sampler));
+                path[Layout.TEXEL + 1] =
+                        place(v, height, sampler / Layout.SAMPLER_DOWN % Layout.SAMPLER_DOWN, isNearest(sampler));
+            }
+        } else {
+            aimAround(path, map, path[Layout.NORMAL], path[Layout.NORMAL + 1], path[Layout.NORMAL + 2], looks);
         }
+    }
+
+    /** As above on a sphere, by its outward normal. */
+    static void aimAround(float[] path, int map, float x, float y, float z, float[] looks) {
+        int width = (int) looks[map + Layout.MAP_WIDTH];
+        int height = (int) looks[map + Layout.MAP_HEIGHT];
+        path[Layout.TEXEL] = SkyLookup.column(x, -z, 0f, width);
+        path[Layout.TEXEL + 1] = Math.min(Math.max(SkyLookup.row(x, y, z, height), 0f), height - 1f);
+    }
+
+    /** 1 if the nearest texel counts, else 0. */
+    static int isNearest(int sampler) {
+        return sampler / Layout.SAMPLER_NEAREST % 2;
+    }
+
+    /**
+     * The place of a texture coordinate in a map, in texels from the first one's center.
+     *
+     * @param size the map's, in texels
+     * @param wrap what is beyond its borders
+     */
+    public static float place(float coordinate, int size, int wrap, int nearest) {
+        float mirrored = 1f - Math.abs(2f * fraction(0.5f * coordinate) - 1f);
+        float inside = wrap == MIRROR ? mirrored : fraction(coordinate);
+        float place = (wrap == CLAMP ? coordinate : inside) * size - 0.5f;
+        place = wrap == REPEAT ? place : Math.min(Math.max(place, 0f), size - 1f);
+        float rounded = Math.min(KernelMath.floor(place + 0.5f), size - 1);
+        return nearest != 0 ? rounded : place;
     }
 
     private static float fraction(float x) {
         return x - KernelMath.floor(x);
     }
 
+    /** One channel (0 red, 1 green, 2 blue) of a map at {@link Layout#TEXEL}. */
+    static float channel(float[] path, int map, int channel, float[] looks, float[] images) {
+        return color(
+                Layout.ALIGNMENT * (int) looks[map + Layout.MAP_START],
+                (int) looks[map + Layout.MAP_WIDTH],
+                (int) looks[map + Layout.MAP_HEIGHT],
+                path[Layout.TEXEL],
+                path[Layout.TEXEL + 1],
+                channel,
+                images);
+    }
+
     /**
-     * One channel (0 red, 1 green, 2 blue) of a texture, which repeats beyond its borders.
+     * As above, of a map that repeats beyond its borders.
      *
      * @param start place of its first texel
      * @param column relative to the first texel's center, in [-0.5, width - 0.5]
      * @param row relative to the first texel's center, in [-0.5, height - 0.5]
      */
     public static float color(int start, int width, int height, float column, float row, int channel, float[] images) {
+        return between(start + channel, Layout.TEXEL_STRIDE, width, height, column, row, images);
+    }
+
+    /**
+     * As above.
+     *
+     * @param start place of the first texel's number
+     * @param stride distance between texels
+     */
+    static float between(int start, int stride, int width, int height, float column, float row, float[] texels) {
         int left = KernelMath.floor(column);
         int top = KernelMath.floor(row);
         float toRight = column - left;
@@ -60,11 +114,10 @@ public final class Texture {
         int wrappedRight = left + 1 >= width ? 0 : left + 1;
         int wrappedTop = top < 0 ? height - 1 : Math.min(top, height - 1);
         int wrappedBottom = top + 1 >= height ? 0 : top + 1;
-        int first = start + channel;
-        float topLeft = images[first + 3 * (wrappedTop * width + wrappedLeft)];
-        float topRight = images[first + 3 * (wrappedTop * width + wrappedRight)];
-        float bottomLeft = images[first + 3 * (wrappedBottom * width + wrappedLeft)];
-        float bottomRight = images[first + 3 * (wrappedBottom * width + wrappedRight)];
+        float topLeft = texels[start + stride * (wrappedTop * width + wrappedLeft)];
+        float topRight = texels[start + stride * (wrappedTop * width + wrappedRight)];
+        float bottomLeft = texels[start + stride * (wrappedBottom * width + wrappedLeft)];
+        float bottomRight = texels[start + stride * (wrappedBottom * width + wrappedRight)];
         float upper = topLeft + (topRight - topLeft) * toRight;
         float lower = bottomLeft + (bottomRight - bottomLeft) * toRight;
         return upper + (lower - upper) * toBottom;

@@ -8,6 +8,17 @@ package dev.twister.kernel;
  * are in its lengths.
  */
 public final class Triangle {
+    /**
+     * A ray's origin that is no farther from a triangle's plane may lie in it, relative to the sum of the origin's
+     * reach ({@link Layout#MESH_REACH}) and the triangle's largest coordinate. An origin on a surface has gone from
+     * mesh to world and to mesh, with 4 roundings in each, and so has a coincident triangle's placement; the distance
+     * itself has up to 16.
+     */
+    public static final float ROUNDING = 0x1p-20f;
+
+    /** Distance of a surface in which a ray starts, if it meets it. */
+    private static final float TOUCHING = 1e-30f;
+
     private Triangle() {}
 
     /** The dominant axis of a direction: 0 for x, 1 for y, 2 for z. */
@@ -32,8 +43,10 @@ public final class Triangle {
     }
 
     /**
-     * Distance to the triangle in lengths of the direction; {@link Intersection#MISS} if the ray misses it or it is not
-     * in front.
+     * Distance to the triangle in lengths of the direction; {@link Intersection#MISS} if the ray misses it, if it is
+     * not in front, or if rounding cannot tell whether the ray starts in its plane. So a ray that leaves a surface
+     * meets none in the same place, at whatever angle (unless {@link Layout#MESH_REACH} says so), and a triangle at a
+     * millionth of the coordinates is still met.
      *
      * @param path with the ray of {@link MeshRay}
      * @param at place of the triangle in {@code meshes}
@@ -64,10 +77,35 @@ public final class Triangle {
         float sum = a + b + c;
         float distance = Intersection.MISS;
         if (((1 - (below & above)) & (sum != 0f ? 1 : 0)) != 0) {
-            float along = (a * depthA + b * depthB + c * depthC) / sum * path[Layout.MESH_SHEAR + 2];
-            distance = along > 0f ? along : Intersection.MISS;
+            // The volume between the origin and the triangle: its area times its plane's distance.
+            float volume = a * depthA + b * depthB + c * depthC;
+            float along = volume / sum * path[Layout.MESH_SHEAR + 2];
+            float reach = path[Layout.MESH_REACH];
+            int apart = Math.abs(volume) > slack(at, meshes) * (Math.abs(reach) + largest(at, meshes)) ? 1 : 0;
+            int touches = (reach < 0f ? 1 : 0) & (1 - apart);
+            float touching = touches != 0 ? Math.max(along, TOUCHING) : Intersection.MISS;
+            distance = (apart & (along > 0f ? 1 : 0)) != 0 ? along : touching;
         }
         return distance;
+    }
+
+    /** {@link #ROUNDING} times the triangle's area: a sum of the magnitudes of its normal's components. */
+    public static float slack(int at, float[] meshes) {
+        float firstX = meshes[at + 3] - meshes[at];
+        float firstY = meshes[at + 4] - meshes[at + 1];
+        float firstZ = meshes[at + 5] - meshes[at + 2];
+        float secondX = meshes[at + 6] - meshes[at];
+        float secondY = meshes[at + 7] - meshes[at + 1];
+        float secondZ = meshes[at + 8] - meshes[at + 2];
+        return ROUNDING
+                * (Math.abs(firstY * secondZ - firstZ * secondY)
+                        + Math.abs(firstZ * secondX - firstX * secondZ)
+                        + Math.abs(firstX * secondY - firstY * secondX));
+    }
+
+    /** The largest magnitude of its first corner's coordinates. */
+    public static float largest(int at, float[] meshes) {
+        return Math.max(Math.max(Math.abs(meshes[at]), Math.abs(meshes[at + 1])), Math.abs(meshes[at + 2]));
     }
 
     /**

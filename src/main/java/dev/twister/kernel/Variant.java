@@ -23,7 +23,13 @@ public final class Variant {
     /** There are several lights, or one whose share is not 1. */
     public static final int LIGHTS = 32;
 
-    private static final int ASPECT_SHIFT = 6;
+    /** Some surface has maps besides its texture, or its mesh has vertex colors; implies {@link #MATERIALS}. */
+    public static final int MAPS = 64;
+
+    /** Some mesh is not opaque; implies {@link #MAPS} and {@link #MESHES}. */
+    public static final int MASKS = 128;
+
+    private static final int ASPECT_SHIFT = 8;
 
     private Variant() {}
 

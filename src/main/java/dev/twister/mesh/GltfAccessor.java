@@ -130,6 +130,11 @@ final class GltfAccessor {
         return count;
     }
 
+    /** Whether an element has four components. */
+    boolean hasFourComponents() {
+        return components == 4;
+    }
+
     /** Number of elements that its sparse part replaces. */
     int sparseElements() {
         return sparseIndices.length;

@@ -35,6 +35,14 @@ final class GltfAccessors {
         return accessor;
     }
 
+    /** An accessor with three or four components. */
+    GltfAccessor ofColors(GltfPlace number) throws IOException {
+        GltfPlace accessors = root.at("accessors");
+        boolean four =
+                accessors.at(number.index(accessors)).at("type").textOr("").equals("VEC4");
+        return at(number, four ? 4 : 3);
+    }
+
     /** Each takes a byte or more, unless accessors share them to make a small file take much time and memory. */
     private void checkSparse(GltfAccessor accessor) {
         sparseElements += accessor.sparseElements();

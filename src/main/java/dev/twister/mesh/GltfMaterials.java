@@ -1,24 +1,30 @@
 package dev.twister.mesh;
 
+import dev.twister.scene.Alpha;
+import dev.twister.scene.Attenuation;
+import dev.twister.scene.Emission;
+import dev.twister.scene.ImageMap;
+import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.Sampler;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
 /** The materials of a glTF file. */
 final class GltfMaterials {
     /**
-     * A material and the mapping of its texture.
+     * A material and the coordinates of its maps.
      *
-     * @param coordinateSet which set of texture coordinates it uses
-     * @param layout transform of these coordinates
+     * @param coordinates by {@link Sampler#coordinates}
      */
-    record Textured(Material material, int coordinateSet, TextureLayout layout) {}
+    record Textured(Material material, List<GltfTextures.Coordinates> coordinates) {}
 
-    private static final Textured DEFAULT = new Textured(Material.DEFAULT, 0, TextureLayout.PLAIN);
+    private static final Textured DEFAULT =
+            new Textured(Material.DEFAULT, List.of(new GltfTextures.Coordinates(0, TextureLayout.PLAIN)));
 
     private final GltfPlace root;
     private final GltfImages images;
@@ -48,61 +54,105 @@ final class GltfMaterials {
     }
 
     private Textured read(GltfPlace material) throws IOException {
-        GltfPlace metallicRoughness = material.at("pbrMetallicRoughness");
-        double[] color = metallicRoughness.at("baseColorFactor").numbersOr(1, 1, 1, 1);
-        double roughness = metallicRoughness.at("roughnessFactor").unitOr(1);
-        double metallic = metallicRoughness.at("metallicFactor").unitOr(1);
-        if (metallicRoughness.at("metallicRoughnessTexture").exists()) {
-            warnings.add("textures of metal and roughness are not read; those surfaces are rendered matte");
-            metallic = 0;
-            roughness = 1;
-        }
-        warnOfUnused(material);
+        GltfTextures textures = new GltfTextures(root, images);
         GltfPlace extensions = material.at("extensions");
-        double transmission = extensions
-                .at("KHR_materials_transmission")
-                .at("transmissionFactor")
-                .unitOr(0);
-        double ior = extensions.at("KHR_materials_ior").at("ior").numberOr(Material.DEFAULT.ior());
-        boolean faded = transmission == 0 && material.at("alphaMode").textOr("").equals("BLEND") && color[3] < 1;
-        GltfPlace texture = metallicRoughness.at("baseColorTexture");
-        GltfPlace transform = texture.at("extensions").at("KHR_texture_transform");
-        GltfPlace set = transform.at("texCoord").exists() ? transform.at("texCoord") : texture.at("texCoord");
-        return new Textured(
-                Material.DEFAULT
-                        .withColor(new Rgb(unit(color[0]), unit(color[1]), unit(color[2])))
-                        .withReflectivity(Reflectivity.of(metallic, roughness) * (1 - transmission))
+        GltfPlace glossy = extensions.at("KHR_materials_pbrSpecularGlossiness");
+        Material base = glossy.exists()
+                ? GltfSpecularGlossiness.material(glossy, textures, warnings)
+                : metallicRoughness(material.at("pbrMetallicRoughness"), textures);
+        Material whole = base.withAlpha(alpha(material, base))
+                .withEmission(emission(material))
+                .withUnlit(extensions.at("KHR_materials_unlit").exists())
+                .withIor(ior(extensions));
+        whole = transmission(whole, extensions, textures);
+        Maps maps = whole.maps()
+                .withEmission(textures.map(material.at("emissiveTexture"), ""))
+                .withNormal(textures.map(material.at("normalTexture"), "scale"))
+                .withOcclusion(textures.map(material.at("occlusionTexture"), "strength"));
+        return new Textured(whole.withMaps(maps), textures.coordinates());
+    }
+
+    private static Material metallicRoughness(GltfPlace place, GltfTextures textures) throws IOException {
+        double[] color = place.at("baseColorFactor").numbersOr(1, 1, 1, 1);
+        Optional<ImageMap> texture = textures.map(place.at("baseColorTexture"), "");
+        Optional<ImageMap> roughness = textures.map(place.at("metallicRoughnessTexture"), "");
+        return Material.DEFAULT
+                .withColor(new Rgb(unit(color[0]), unit(color[1]), unit(color[2])))
+                .withAlpha(new Alpha(Alpha.Mode.OPAQUE, unit(color[3]), Alpha.OPAQUE.cutoff()))
+                .withMetallic(place.at("metallicFactor").unitOr(1))
+                .withRoughness(place.at("roughnessFactor").unitOr(1))
+                .withTexture(texture.map(ImageMap::file))
+                .withMaps(Maps.NONE
+                        .withTexture(texture.map(ImageMap::sampler).orElse(Sampler.DEFAULT))
                         .withRoughness(roughness)
-                        .withTransmission(faded ? 1 - unit(color[3]) : transmission * (1 - metallic))
-                        // A surface that only fades must not bend the light.
-                        .withIor(faded ? 1 : Math.clamp(ior, 1.0, 4.0))
-                        .withTexture(picture(texture)),
-                (int) Math.min(set.countOr(0), Integer.MAX_VALUE),
-                TextureLayout.of(transform));
+                        .withMetallic(roughness));
     }
 
-    private Optional<Path> picture(GltfPlace texture) throws IOException {
-        return texture.exists() ? images.ofTexture(texture.at("index").in(root.at("textures"))) : Optional.empty();
+    private static Alpha alpha(GltfPlace material, Material base) {
+        double factor = base.alpha().factor();
+        double cutoff = material.at("alphaCutoff").numberOr(Alpha.OPAQUE.cutoff());
+        return switch (material.at("alphaMode").textOr("")) {
+            case "MASK" -> new Alpha(Alpha.Mode.MASK, factor, cutoff);
+            case "BLEND" -> new Alpha(Alpha.Mode.BLEND, factor, cutoff);
+            default -> Alpha.OPAQUE;
+        };
     }
 
-    private void warnOfUnused(GltfPlace material) {
-        if (material.at("alphaMode").textOr("").equals("MASK")) {
-            warnings.add("alpha masks are not read; those surfaces are rendered opaque");
+    private static Emission emission(GltfPlace material) {
+        double[] factor = material.at("emissiveFactor").numbersOr(0, 0, 0);
+        double strength = material.at("extensions")
+                .at("KHR_materials_emissive_strength")
+                .at("emissiveStrength")
+                .numberOr(1);
+        Rgb color = new Rgb(Math.max(factor[0], 0), Math.max(factor[1], 0), Math.max(factor[2], 0));
+        Emission emission = Emission.NONE
+                .withColor(color)
+                .withStrength(Math.max(strength, 0))
+                .withDoubleSided(material.at("doubleSided").isTrue());
+        return emission.isNone() ? Emission.NONE : emission;
+    }
+
+    private double ior(GltfPlace extensions) {
+        double ior =
+                Math.clamp(extensions.at("KHR_materials_ior").at("ior").numberOr(Material.DEFAULT.ior()), 1.0, 4.0);
+        GltfPlace specular = extensions.at("KHR_materials_specular");
+        double factor = specular.at("specularFactor").unitOr(1);
+        if (specular.at("specularTexture").exists()
+                || specular.at("specularColorTexture").exists()
+                || specular.at("specularColorFactor").exists()) {
+            warnings.add("colors and textures of KHR_materials_specular are not read; reflections are white");
         }
-        if (material.at("normalTexture").exists()) {
-            warnings.add("normal textures are not read");
-        }
-        if (material.at("emissiveTexture").exists()
-                || brightest(material.at("emissiveFactor").numbersOr(0, 0, 0)) > 0) {
-            warnings.add("emission is not read");
-        }
+        boolean glass = extensions
+                        .at("KHR_materials_transmission")
+                        .at("transmissionFactor")
+                        .unitOr(0)
+                > 0;
+        // The index whose reflectance is that part; glass keeps its own, which bends the light.
+        double root = Math.sqrt(factor) * (ior - 1) / (ior + 1);
+        return glass || factor == 1 ? ior : (1 + root) / (1 - root);
     }
 
-    private static double brightest(double[] color) {
-        return Math.max(color[0], Math.max(color[1], color[2]));
+    private static Material transmission(Material material, GltfPlace extensions, GltfTextures textures)
+            throws IOException {
+        GltfPlace place = extensions.at("KHR_materials_transmission");
+        double transmission = place.at("transmissionFactor").unitOr(0);
+        if (transmission == 0) {
+            boolean smooth = material.metallic() == 0 && material.roughness() == 0;
+            // Without metal and roughness the reflectivity alone says that it shines.
+            return smooth ? material.withReflectivity(Reflectivity.PLASTIC) : material;
+        }
+        GltfPlace volume = extensions.at("KHR_materials_volume");
+        double[] color = volume.at("attenuationColor").numbersOr(1, 1, 1);
+        double distance = volume.at("attenuationDistance").numberOr(0);
+        return material.withTransmission(
+                        material.maps().metallic().isEmpty() ? transmission * (1 - material.metallic()) : transmission)
+                .withMaps(material.maps().withTransmission(textures.map(place.at("transmissionTexture"), "")))
+                .withAttenuation(new Attenuation(
+                        new Rgb(unit(color[0]), unit(color[1]), unit(color[2])),
+                        distance > 0 ? Optional.of(distance) : Optional.empty()));
     }
 
-    private static double unit(double value) {
+    static double unit(double value) {
         return Math.clamp(value, 0.0, 1.0);
     }
 }

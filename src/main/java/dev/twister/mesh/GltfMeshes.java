@@ -1,6 +1,7 @@
 package dev.twister.mesh;
 
 import dev.twister.scene.Material;
+import dev.twister.scene.Vector3;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -13,10 +14,18 @@ final class GltfMeshes {
     private static final int TRIANGLES = 4;
     private static final int STRIP = 5;
     private static final int FAN = 6;
+
+    /** Number of components of a color: three or four. */
+    private static final int COLOR = 0;
+
     private static final String DRACO = "KHR_draco_mesh_compression";
 
-    /** A primitive with triangles. */
-    record Primitive(int mesh, Material material) {}
+    /**
+     * A primitive with triangles.
+     *
+     * @param placement transform from the mesh's coordinates to the primitive's, in Twister's axes
+     */
+    record Primitive(int mesh, Affine placement, Material material) {}
 
     private final Bytes file;
     private final GltfPlace root;
@@ -27,7 +36,8 @@ final class GltfMeshes {
     private final Warnings warnings;
     private final List<TriangleMesh> meshes = new ArrayList<>();
     private final UsedVertices used = new UsedVertices();
-    private final Map<Integer, List<Primitive>> read = new HashMap<>();
+    private final GltfNodes nodes;
+    private final Map<GltfPose, List<Primitive>> read = new HashMap<>();
     private long triangles;
     private int degenerateTriangles;
 
@@ -42,6 +52,7 @@ final class GltfMeshes {
         this.root = root;
         this.buffers = buffers;
         this.accessors = new GltfAccessors(root, buffers);
+        this.nodes = new GltfNodes(root.at("nodes"));
         this.materials = materials;
         this.smoothDegrees = smoothDegrees;
         this.warnings = warnings;
@@ -55,29 +66,26 @@ final class GltfMeshes {
         return degenerateTriangles;
     }
 
-    /** The primitives of one of the file's meshes, which is read at the first call. */
-    List<Primitive> primitives(int index) throws IOException {
-        List<Primitive> known = read.get(index);
+    /** The primitives of one of the file's meshes in a pose, which are read at the first call. */
+    List<Primitive> primitives(GltfPose pose) throws IOException {
+        List<Primitive> known = read.get(pose);
         if (known == null) {
             known = new ArrayList<>();
             for (GltfPlace primitive :
-                    root.at("meshes").at(index).at("primitives").items()) {
-                readPrimitive(primitive).ifPresent(known::add);
+                    root.at("meshes").at(pose.mesh()).at("primitives").items()) {
+                readPrimitive(primitive, pose).ifPresent(known::add);
             }
-            read.put(index, known);
+            read.put(pose, known);
         }
         return known;
     }
 
-    private Optional<Primitive> readPrimitive(GltfPlace primitive) throws IOException {
+    private Optional<Primitive> readPrimitive(GltfPlace primitive, GltfPose pose) throws IOException {
         long mode = primitive.at("mode").countOr(TRIANGLES);
         GltfPlace attributes = primitive.at("attributes");
         if (mode < TRIANGLES || mode > FAN || !attributes.at("POSITION").exists()) {
             warnings.add("there are points or lines, or triangles without positions; not read");
             return Optional.empty();
-        }
-        if (primitive.at("targets").size() > 0) {
-            warnings.add("morph targets are not applied");
         }
         GltfAccessor positions = accessors.at(attributes.at("POSITION"), 3);
         if (positions.isEmpty()) {
@@ -92,13 +100,13 @@ final class GltfMeshes {
         int[] corners = corners(primitive, (int) mode, positions.count());
         GltfMaterials.Textured material = materials.of(primitive);
         MeshAssembly.Assembled assembled =
-                MeshAssembly.assemble(soup(attributes, positions, corners, material), Axes.Y_UP, smoothDegrees);
+                MeshAssembly.assemble(soup(primitive, pose, positions, corners, material), Axes.Y_UP, smoothDegrees);
         degenerateTriangles += assembled.degenerateTriangles();
         if (assembled.meshByMaterial().isEmpty()) {
             return Optional.empty();
         }
         meshes.add(assembled.meshByMaterial().firstEntry().getValue());
-        return Optional.of(new Primitive(meshes.size() - 1, material.material()));
+        return Optional.of(new Primitive(meshes.size() - 1, assembled.placement(), material.material()));
     }
 
     private Optional<GltfAccessor> attribute(GltfPlace number, int components, GltfAccessor positions)
@@ -106,7 +114,7 @@ final class GltfMeshes {
         if (!number.exists()) {
             return Optional.empty();
         }
-        GltfAccessor accessor = accessors.at(number, components);
+        GltfAccessor accessor = components == COLOR ? accessors.ofColors(number) : accessors.at(number, components);
         if (accessor.count() != positions.count()) {
             throw accessor.place()
                     .failure("has " + accessor.count() + " elements, but the positions beside it are "
@@ -116,23 +124,34 @@ final class GltfMeshes {
     }
 
     private TriangleSoup soup(
-            GltfPlace attributes, GltfAccessor positions, int[] corners, GltfMaterials.Textured material)
+            GltfPlace primitive, GltfPose pose, GltfAccessor positions, int[] corners, GltfMaterials.Textured material)
             throws IOException {
+        GltfPlace attributes = primitive.at("attributes");
+        GltfPosed posed = GltfPosed.of(root, primitive, pose, nodes, accessors, positions.count());
         Optional<GltfAccessor> normals = attribute(attributes.at("NORMAL"), 3, positions);
-        Optional<GltfAccessor> coordinates =
-                attribute(attributes.at("TEXCOORD_" + material.coordinateSet()), 2, positions);
+        Optional<GltfAccessor> colors = attribute(attributes.at("COLOR_0"), COLOR, positions);
+        boolean bumpy = material.material().maps().normal().isPresent();
+        Optional<GltfAccessor> tangents =
+                bumpy && normals.isPresent() ? attribute(attributes.at("TANGENT"), 4, positions) : Optional.empty();
+        if (attributes.at("COLOR_1").exists()) {
+            warnings.add("there are several colors for each vertex; the first are read");
+        }
         used.set(corners, positions.count());
         TriangleSoup soup = new TriangleSoup(used.vertices().length, corners.length / 3);
         // One attribute after the other, because each usually has its own region in the file.
         for (int vertex : used.vertices()) {
-            addPosition(soup, positions, vertex);
+            addPosition(soup, posed.place(positions, vertex));
         }
         soup.warnOfUnusable(warnings);
         if (normals.isPresent()) {
-            addNormals(soup, normals.get(), used.vertices());
+            addNormals(soup, posed, normals.get(), used.vertices());
         }
-        if (coordinates.isPresent()) {
-            addCoordinates(soup, coordinates.get(), material.layout(), used.vertices());
+        addCoordinates(soup, attributes, positions, material.coordinates());
+        if (colors.isPresent()) {
+            addColors(soup, colors.get(), used.vertices());
+        }
+        if (tangents.isPresent()) {
+            addTangents(soup, posed, tangents.get(), used.vertices());
         }
         for (int i = 0; i < corners.length; i += 3) {
             soup.triangle(used.number(corners[i]), used.number(corners[i + 1]), used.number(corners[i + 2]));
@@ -140,27 +159,59 @@ final class GltfMeshes {
         return soup;
     }
 
-    private static void addNormals(TriangleSoup soup, GltfAccessor normals, int[] used) throws IOException {
-        for (int vertex : used) {
-            soup.normal(normals.get(vertex, 0), normals.get(vertex, 1), normals.get(vertex, 2));
-        }
-    }
-
-    private static void addCoordinates(TriangleSoup soup, GltfAccessor coordinates, TextureLayout layout, int[] used)
+    private static void addNormals(TriangleSoup soup, GltfPosed posed, GltfAccessor normals, int[] used)
             throws IOException {
         for (int vertex : used) {
-            double u = coordinates.get(vertex, 0);
-            double v = coordinates.get(vertex, 1);
-            soup.textureCoordinates(layout.u(u, v), layout.v(u, v));
+            Vector3 normal = posed.normal(normals, vertex);
+            soup.normal(normal.x(), normal.y(), normal.z());
         }
     }
 
-    private static void addPosition(TriangleSoup soup, GltfAccessor positions, int vertex) throws IOException {
-        double x = positions.get(vertex, 0);
-        double y = positions.get(vertex, 1);
-        double z = positions.get(vertex, 2);
-        if (MeshLimits.areCoordinates(x, y, z)) {
-            soup.position(x, y, z);
+    private void addCoordinates(
+            TriangleSoup soup, GltfPlace attributes, GltfAccessor positions, List<GltfTextures.Coordinates> needed)
+            throws IOException {
+        List<Optional<GltfAccessor>> sets = new ArrayList<>();
+        for (GltfTextures.Coordinates set : needed) {
+            sets.add(attribute(attributes.at("TEXCOORD_" + set.set()), 2, positions));
+        }
+        if (sets.stream().noneMatch(Optional::isPresent)) {
+            return;
+        }
+        for (int number = 0; number < sets.size(); number++) {
+            TextureLayout layout = needed.get(number).layout();
+            for (int vertex : used.vertices()) {
+                double u = sets.get(number).isPresent() ? sets.get(number).get().get(vertex, 0) : 0;
+                double v = sets.get(number).isPresent() ? sets.get(number).get().get(vertex, 1) : 0;
+                if (number == 0) {
+                    soup.textureCoordinates(layout.u(u, v), layout.v(u, v));
+                } else {
+                    soup.furtherCoordinates(number, layout.u(u, v), layout.v(u, v));
+                }
+            }
+        }
+    }
+
+    private static void addColors(TriangleSoup soup, GltfAccessor colors, int[] used) throws IOException {
+        for (int vertex : used) {
+            double opacity = colors.hasFourComponents() ? colors.get(vertex, 3) : 1;
+            soup.color(colors.get(vertex, 0), colors.get(vertex, 1), colors.get(vertex, 2), opacity);
+        }
+    }
+
+    private static void addTangents(TriangleSoup soup, GltfPosed posed, GltfAccessor tangents, int[] used)
+            throws IOException {
+        for (int vertex : used) {
+            Vector3 tangent = posed.tangent(tangents, vertex);
+            for (double value : new double[] {tangent.x(), tangent.y(), tangent.z()}) {
+                soup.tangents.add(Math.abs(value) <= 2 ? (float) value : 0);
+            }
+            soup.tangentSigns.add(tangents.get(vertex, 3) < 0 ? -1 : 1);
+        }
+    }
+
+    private static void addPosition(TriangleSoup soup, Vector3 place) {
+        if (MeshLimits.areCoordinates(place.x(), place.y(), place.z())) {
+            soup.position(place.x(), place.y(), place.z());
         } else {
             soup.missingPosition();
         }

@@ -11,8 +11,16 @@ import java.util.Set;
 
 /** Reads glTF 2.0 files, as JSON or GLB. */
 final class GltfReader {
-    private static final Set<String> READ =
-            Set.of("KHR_materials_transmission", "KHR_materials_ior", "KHR_texture_transform", "KHR_mesh_quantization");
+    private static final Set<String> READ = Set.of(
+            "KHR_materials_emissive_strength",
+            "KHR_materials_ior",
+            "KHR_materials_pbrSpecularGlossiness",
+            "KHR_materials_specular",
+            "KHR_materials_transmission",
+            "KHR_materials_unlit",
+            "KHR_materials_volume",
+            "KHR_mesh_quantization",
+            "KHR_texture_transform");
 
     /**
      * Starts of the names of extensions that describe no triangles, but looks, images, lights, sounds, behavior and
@@ -90,17 +98,20 @@ final class GltfReader {
         }
         for (GltfPlace used : root.at("extensionsUsed").items()) {
             if (!READ.contains(used.text())) {
-                warnings.add("the extension " + Shown.text(used.text()) + " is not read");
+                warnings.add("the extension " + Shown.text(used.text()) + " is not read" + lost(used.text()));
             }
         }
     }
 
+    private static String lost(String extension) {
+        return extension.contains("material") || extension.contains("texture")
+                ? "; the colors that it gives are lost"
+                : "";
+    }
+
     private void warnOfUnused(GltfPlace root) {
         if (root.at("animations").size() > 0) {
-            warnings.add("animations are not played; the mesh is as the nodes place it");
-        }
-        if (root.at("skins").size() > 0) {
-            warnings.add("skins are not applied; the mesh has its bind pose");
+            warnings.add("animations are not played; the mesh is shown at rest");
         }
         if (root.at("scenes").size() > 1) {
             warnings.add("there are several scenes; " + (root.at("scene").exists() ? "the default" : "the first")
@@ -118,13 +129,13 @@ final class GltfReader {
             GltfPlace node = nodes.at(next.node());
             Affine placement = next.parent().of(GltfTransform.of(node));
             if (node.at("mesh").exists()) {
-                place(node, placement, node.at("mesh").index(root.at("meshes")), root, meshes);
+                placePosed(node, placement, root, meshes);
             }
             reach(numbers(node.at("children"), nodes), nodes, placement, waiting, reached);
         }
         if (nodes.size() == 0) {
             for (int mesh = 0; mesh < root.at("meshes").size(); mesh++) {
-                place(root.at("meshes").at(mesh), Affine.IDENTITY, mesh, root, meshes);
+                place(root.at("meshes").at(mesh), Affine.IDENTITY, GltfPose.of(root, mesh), root, meshes);
             }
         }
     }
@@ -165,20 +176,34 @@ final class GltfReader {
         return roots;
     }
 
-    private void place(GltfPlace node, Affine placement, int mesh, GltfPlace root, GltfMeshes meshes)
+    /** Places a node's mesh: by the joints of its skin, or else by the node's own transform. */
+    private void placePosed(GltfPlace node, Affine placement, GltfPlace root, GltfMeshes meshes) throws IOException {
+        GltfPose pose = GltfPose.of(root, node);
+        if (pose.skin().isPresent()) {
+            try {
+                place(node, Affine.IDENTITY, pose, root, meshes);
+                return;
+            } catch (MeshException problem) {
+                warnings.add(problem, "; shown without its skin");
+            }
+        }
+        place(node, placement, pose.withoutSkin(), root, meshes);
+    }
+
+    private void place(GltfPlace node, Affine placement, GltfPose pose, GltfPlace root, GltfMeshes meshes)
             throws IOException {
         Affine turned = GltfTransform.turned(placement);
         if (!GltfTransform.isUsable(turned)) {
             warnings.add(node + " is flat, or far too large; not read");
             return;
         }
-        GltfPlace source = root.at("meshes").at(mesh);
+        GltfPlace source = root.at("meshes").at(pose.mesh());
         String name = node.at("name").textOr(source.at("name").textOr(""));
-        for (GltfMeshes.Primitive primitive : meshes.primitives(mesh)) {
+        for (GltfMeshes.Primitive primitive : meshes.primitives(pose)) {
             if (parts.size() == MeshLimits.PARTS) {
                 throw node.failure("brings the file to more than " + MeshLimits.PARTS + " parts; join its meshes");
             }
-            parts.add(new MeshPart(name, primitive.mesh(), turned, primitive.material()));
+            parts.add(new MeshPart(name, primitive.mesh(), turned.of(primitive.placement()), primitive.material()));
         }
     }
 }

@@ -26,14 +26,10 @@ final class GltfTransform {
     /** The same transform in Twister's axes. */
     static Affine turned(Affine placement) {
         return new Affine(
-                turned(placement.axisX()),
-                turned(placement.axisY()),
-                turned(placement.axisZ()).times(-1),
-                turned(placement.origin()));
-    }
-
-    private static Vector3 turned(Vector3 vector) {
-        return new Vector3(vector.x(), vector.y(), 0 - vector.z());
+                Axes.Y_UP.turned(placement.axisX()),
+                Axes.Y_UP.turned(placement.axisY()),
+                Axes.Y_UP.turned(placement.axisZ()).times(-1),
+                Axes.Y_UP.turned(placement.origin()));
     }
 
     /** Whether the transform preserves volume other than 0 and stays within the range of coordinates. */

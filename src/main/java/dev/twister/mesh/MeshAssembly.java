@@ -1,6 +1,8 @@
 package dev.twister.mesh;
 
 import dev.twister.scene.Material;
+import dev.twister.scene.Vector3;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -12,10 +14,16 @@ final class MeshAssembly {
     /**
      * The result.
      *
+     * @param center what the positions are relative to
      * @param meshByMaterial meshes with at least one triangle, by the number of the material in ascending order
      * @param degenerateTriangles number of dropped triangles without area
      */
-    record Assembled(SequencedMap<Integer, TriangleMesh> meshByMaterial, int degenerateTriangles) {
+    record Assembled(Vector3 center, SequencedMap<Integer, TriangleMesh> meshByMaterial, int degenerateTriangles) {
+        /** The transform from the meshes' coordinates to the file's, in Twister's axes. */
+        Affine placement() {
+            return Affine.moving(center);
+        }
+
         /** A file with a single material. */
         MeshFile file(String name, Bytes bytes, Material material) {
             if (meshByMaterial.isEmpty()) {
@@ -23,7 +31,7 @@ final class MeshAssembly {
             }
             return new MeshFile(
                     List.copyOf(meshByMaterial.values()),
-                    List.of(new MeshPart(name, 0, Affine.IDENTITY, material)),
+                    List.of(new MeshPart(name, 0, placement(), material)),
                     Map.of(),
                     degenerateTriangles);
         }
@@ -32,10 +40,17 @@ final class MeshAssembly {
     private final TriangleSoup soup;
     private final FloatList positions = new FloatList();
     private final FloatList normals = new FloatList();
-    private final FloatList textureCoordinates = new FloatList();
+    private final List<FloatList> textureCoordinates = new ArrayList<>();
+    private final FloatList colors = new FloatList();
+    private final FloatList tangents = new FloatList();
+    private boolean smooth;
+    private boolean textured;
 
     private MeshAssembly(TriangleSoup soup) {
         this.soup = soup;
+        for (int set = 0; set <= soup.furtherCoordinates.size(); set++) {
+            textureCoordinates.add(new FloatList());
+        }
     }
 
     static MeshException noTriangles(Bytes bytes, int degenerate) {
@@ -48,6 +63,7 @@ final class MeshAssembly {
      * reused.
      */
     static Assembled assemble(TriangleSoup soup, Axes axes, double smoothDegrees) {
+        Vector3 center = axes.turned(soup.center());
         soup.turn(axes);
         int degenerate = soup.dropDegenerate();
         MissingNormals.make(soup, smoothDegrees);
@@ -59,7 +75,7 @@ final class MeshAssembly {
         } else if (soup.triangles() > 0) {
             byMaterial(soup, meshes);
         }
-        return new Assembled(meshes, degenerate);
+        return new Assembled(center, meshes, degenerate);
     }
 
     private static void byMaterial(TriangleSoup soup, SequencedMap<Integer, TriangleMesh> meshes) {
@@ -85,26 +101,36 @@ final class MeshAssembly {
     }
 
     private TriangleMesh mesh(int[] triangles, int from, int to) {
-        boolean textured = false;
         for (int i = from; i < to && !textured; i++) {
             textured = soup.textureAt(3 * triangles[i]) != TriangleSoup.NONE;
         }
         // Missing normals have been generated, so either all corners have one or none.
-        boolean smooth = soup.normalAt(3 * triangles[from]) != TriangleSoup.NONE;
-        boolean alone = soup.hasOneNumbering() && soup.materialOf.size() == 0;
-        int[] corners =
-                alone ? renumbered(triangles, smooth, textured) : unified(triangles, from, to, smooth, textured);
-        return new TriangleMesh(positions.toArray(), normals.toArray(), textureCoordinates.toArray(), corners);
+        smooth = soup.normalAt(3 * triangles[from]) != TriangleSoup.NONE;
+        boolean alone = soup.hasOneNumbering() && soup.colorOf.size() == 0 && soup.materialOf.size() == 0;
+        int[] corners = alone ? renumbered(triangles) : unified(triangles, from, to);
+        FloatList coordinates = textureCoordinates.getFirst();
+        for (FloatList further : textureCoordinates.subList(1, textureCoordinates.size())) {
+            for (int i = 0; i < further.size(); i++) {
+                coordinates.add(further.get(i));
+            }
+        }
+        return new TriangleMesh(
+                positions.toArray(),
+                normals.toArray(),
+                coordinates.toArray(),
+                colors.toArray(),
+                tangents.toArray(),
+                corners);
     }
 
     /** Keeps the file's vertices except unused ones. */
-    private int[] renumbered(int[] triangles, boolean smooth, boolean textured) {
+    private int[] renumbered(int[] triangles) {
         int[] numbers = new int[soup.vertices()];
         int[] corners = new int[3 * triangles.length];
         for (int corner = 0; corner < corners.length; corner++) {
             int old = soup.positionOf.get(corner);
             if (numbers[old] == 0) {
-                addVertex(old, smooth ? old : TriangleSoup.NONE, textured ? old : TriangleSoup.NONE, smooth, textured);
+                addVertex(old, smooth ? old : TriangleSoup.NONE, textured ? old : TriangleSoup.NONE, old);
                 numbers[old] = positions.size() / 3;
             }
             corners[corner] = numbers[old] - 1;
@@ -112,8 +138,8 @@ final class MeshAssembly {
         return corners;
     }
 
-    /** Creates a vertex for each distinct combination of position, normal and texture coordinates. */
-    private int[] unified(int[] triangles, int from, int to, boolean smooth, boolean textured) {
+    /** Creates a vertex for each distinct combination of position, normal, texture coordinates and color. */
+    private int[] unified(int[] triangles, int from, int to) {
         int[] corners = new int[3 * (to - from)];
         int[] table = new int[TableHash.tableSize(corners.length)];
         int mask = table.length - 1;
@@ -123,35 +149,52 @@ final class MeshAssembly {
             int position = soup.positionOf.get(corner);
             int normal = smooth ? soup.normalAt(corner) : TriangleSoup.NONE;
             int texture = textured ? soup.textureAt(corner) : TriangleSoup.NONE;
-            int slot = TableHash.of(position, normal, texture) & mask;
-            while (table[slot] > 0 && !isKey(keys, 3 * (table[slot] - 1), position, normal, texture)) {
+            int color = soup.colorAt(corner);
+            int slot = TableHash.of(position, normal, 31 * color + texture) & mask;
+            while (table[slot] > 0 && !isKey(keys, 4 * (table[slot] - 1), position, normal, texture, color)) {
                 slot = slot + 1 & mask;
             }
             if (table[slot] == 0) {
                 keys.add(position);
                 keys.add(normal);
                 keys.add(texture);
-                addVertex(position, normal, texture, smooth, textured);
-                table[slot] = keys.size() / 3;
+                keys.add(color);
+                addVertex(position, normal, texture, color);
+                table[slot] = keys.size() / 4;
             }
             corners[i] = table[slot] - 1;
         }
         return corners;
     }
 
-    private static boolean isKey(IntList keys, int at, int position, int normal, int texture) {
-        return keys.get(at) == position && keys.get(at + 1) == normal && keys.get(at + 2) == texture;
+    private static boolean isKey(IntList keys, int at, int position, int normal, int texture, int color) {
+        return keys.get(at) == position
+                && keys.get(at + 1) == normal
+                && keys.get(at + 2) == texture
+                && keys.get(at + 3) == color;
     }
 
-    private void addVertex(int position, int normal, int texture, boolean smooth, boolean textured) {
+    private void addVertex(int position, int normal, int texture, int color) {
         for (int axis = 0; axis < 3; axis++) {
-            positions.add(soup.positions.get(3 * position + axis));
+            positions.add(soup.places.get(3 * position + axis));
         }
         for (int axis = 0; smooth && axis < 3; axis++) {
             normals.add(soup.normals.get(3 * normal + axis));
         }
-        for (int axis = 0; textured && axis < 2; axis++) {
-            textureCoordinates.add(texture == TriangleSoup.NONE ? 0 : soup.textureCoordinates.get(2 * texture + axis));
+        for (int set = 0; textured && set < textureCoordinates.size(); set++) {
+            FloatList coordinates = set == 0 ? soup.textureCoordinates : soup.furtherCoordinates.get(set - 1);
+            for (int axis = 0; axis < 2; axis++) {
+                textureCoordinates.get(set).add(texture == TriangleSoup.NONE ? 0 : coordinates.get(2 * texture + axis));
+            }
+        }
+        for (int channel = 0; channel < 4 && soup.colors.size() > 0; channel++) {
+            colors.add(color == TriangleSoup.NONE ? 1 : soup.colors.get(4 * color + channel));
+        }
+        for (int axis = 0; axis < 3 && soup.tangents.size() > 0; axis++) {
+            tangents.add(soup.tangents.get(3 * position + axis));
+        }
+        if (soup.tangents.size() > 0) {
+            tangents.add(soup.tangentSigns.get(position));
         }
     }
 }

@@ -24,12 +24,21 @@ public record MeshFile(
 
     /** The box around all parts. */
     public Box bounds() {
+        return bounds(Affine.IDENTITY);
+    }
+
+    /**
+     * The box around all parts.
+     *
+     * @param turn applied to the file's coordinates first
+     */
+    public Box bounds(Affine turn) {
         Box bounds = Box.NONE;
         for (MeshPart part : parts) {
+            Affine placement = turn.of(part.placement());
             float[] positions = meshes.get(part.mesh()).positions();
             for (int at = 0; at < positions.length; at += 3) {
-                bounds = bounds.with(
-                        part.placement().point(new Vector3(positions[at], positions[at + 1], positions[at + 2])));
+                bounds = bounds.with(placement.point(new Vector3(positions[at], positions[at + 1], positions[at + 2])));
             }
         }
         return bounds;

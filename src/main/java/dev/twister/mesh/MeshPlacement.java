@@ -7,6 +7,9 @@ import dev.twister.scene.Vector3;
 
 /** The placement of a mesh in a scene. */
 public final class MeshPlacement {
+    /** Sine of a pitch at which yaw and roll turn about the same axis. */
+    private static final double STEEP = 1 - 1e-12;
+
     private MeshPlacement() {}
 
     /**
@@ -39,6 +42,21 @@ public final class MeshPlacement {
                 new Vector3(0, 0, stretch.z()),
                 Vector3.ZERO);
         return turned.of(pitched).of(rolled).of(scaled);
+    }
+
+    /**
+     * The angles of a rotation in degrees, as {@link Mesh#rotation} has them: pitch as x, yaw as y, roll as z.
+     *
+     * @param turn a rotation about the origin
+     */
+    static Vector3 angles(Affine turn) {
+        double sine = Math.clamp(-turn.axisZ().y(), -1, 1);
+        boolean upright = Math.abs(sine) < STEEP;
+        double yaw = upright
+                ? Math.atan2(turn.axisZ().x(), turn.axisZ().z())
+                : Math.atan2(-turn.axisX().z(), turn.axisX().x());
+        double roll = upright ? Math.atan2(turn.axisX().y(), turn.axisY().y()) : 0;
+        return new Vector3(Math.toDegrees(Math.asin(sine)), Math.toDegrees(yaw), Math.toDegrees(roll));
     }
 
     private static Vector3 stretch(Mesh mesh) {

@@ -54,6 +54,19 @@ public final class MeshReader {
         }
     }
 
+    /**
+     * Whether the file's format has z up, as STL; the others have y up.
+     *
+     * @throws MeshException if the file cannot be read, or is in none of the formats
+     */
+    static boolean hasZUp(Path file) {
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
+            return format(file, Bytes.of(file, channel)) == Format.STL;
+        } catch (IOException problem) {
+            throw new MeshException(Shown.path(file) + ": " + SystemReason.of(problem), problem);
+        }
+    }
+
     private static MeshFile read(Path file, Bytes bytes, double smoothDegrees, Warnings warnings) throws IOException {
         if (bytes.length() == 0) {
             throw bytes.failure("an empty file");

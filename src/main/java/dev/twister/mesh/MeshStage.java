@@ -22,6 +22,9 @@ public final class MeshStage {
     private static final double LARGEST_SIDE = 2;
     private static final double PLANE_SIZE = 20;
 
+    /** Below the mesh, whose own flat bottom is seen, not the plane; a thousandth of the largest side. */
+    private static final double PLANE_HEIGHT = -LARGEST_SIDE / 1000;
+
     /** Few, because each sample traverses the triangles, and the picture at rest is refined. */
     private static final int SHADOW_SAMPLES = 16;
 
@@ -51,10 +54,12 @@ public final class MeshStage {
      * @param file the mesh file
      * @param held its content
      * @param skybox the panorama's file
+     * @param pose how the mesh stands
      * @throws MeshException if the mesh cannot be scaled so far
      */
-    public static Scene of(Path file, MeshFile held, Path skybox) {
-        Box bounds = held.bounds();
+    public static Scene of(Path file, MeshFile held, Path skybox, MeshPose pose) {
+        Mesh turned = Mesh.of(file).withRotation(pose.rotation(file));
+        Box bounds = held.bounds(MeshPlacement.of(turned));
         Vector3 half = bounds.half();
         double largest = 2 * Math.max(half.x(), Math.max(half.y(), half.z()));
         double scale = LARGEST_SIDE / largest;
@@ -78,8 +83,7 @@ public final class MeshStage {
                 .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
                 .withLights(Lights.of(LIGHT))
                 .withRendering(Rendering.DEFAULT.withShadows(SHADOW_SAMPLES))
-                .withGround(Ground.of(PLANE_SIZE, 0, BRIGHT, DARK, 0))
-                .withMeshes(List.of(
-                        Mesh.of(file).withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES)));
+                .withGround(Ground.of(PLANE_SIZE, PLANE_HEIGHT, BRIGHT, DARK, 0))
+                .withMeshes(List.of(turned.withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES)));
     }
 }

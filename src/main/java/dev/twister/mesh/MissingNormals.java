@@ -17,7 +17,7 @@ final class MissingNormals {
 
     private MissingNormals(TriangleSoup soup, double smoothDegrees) {
         this.soup = soup;
-        this.positions = soup.positions.storage();
+        this.positions = soup.places.storage();
         this.corners = soup.positionOf.storage();
         this.cornerCount = soup.positionOf.size();
         // A tolerance, so that rounding does not exclude planes at exactly the given angle.
@@ -118,7 +118,7 @@ final class MissingNormals {
 
     /** Per corner, a number that all corners at equal positions share. */
     private int[] weldedPositions() {
-        PositionIndex index = new PositionIndex(new FloatList());
+        PositionIndex index = new PositionIndex(new DoubleList());
         int[] numbers = new int[soup.vertices()];
         for (int i = 0; i < numbers.length; i++) {
             numbers[i] = index.of(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);

@@ -1,8 +1,12 @@
 package dev.twister.mesh;
 
+import dev.twister.scene.Alpha;
+import dev.twister.scene.Emission;
+import dev.twister.scene.ImageMap;
+import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
-import java.nio.file.Path;
+import dev.twister.scene.Sampler;
 import java.util.Optional;
 
 /** The fields of a material in an MTL file, and their conversion to Twister's material. */
@@ -15,15 +19,17 @@ final class MtlMaterial {
     Optional<Double> opacity = Optional.empty();
     Optional<Double> transparency = Optional.empty();
     Optional<Double> ior = Optional.empty();
-    Optional<Path> texture = Optional.empty();
+    Optional<ImageMap> texture = Optional.empty();
+    Maps maps = Maps.NONE;
+    Rgb emission = Emission.NONE.color();
     double exponent;
-    double roughness;
-    double metallic;
+    Optional<Double> roughness = Optional.empty();
+    Optional<Double> metallic = Optional.empty();
     long illumination = 2;
 
     Material material() {
         double opaque =
-                opacity.orElseGet(() -> transparency.map(value -> 1 - value).orElse(1.0));
+                opacity.orElseGet(() -> transparency.map(MtlMaterial::opaque).orElse(1.0));
         double through = Math.clamp(1 - opaque, 0.0, 1.0);
         boolean glass = isGlass();
         double transmission = glass && through == 0 ? 1 : through;
@@ -31,11 +37,29 @@ final class MtlMaterial {
         double index = ior.orElse(glass || transmission == 0 ? Material.DEFAULT.ior() : 1.0);
         return Material.DEFAULT
                 .withColor(transmission > 0 ? tint(glass) : diffuse)
-                .withReflectivity(reflectivity())
-                .withRoughness(Math.clamp(roughness, 0.0, 1.0))
+                .withReflectivity(isPhysical() ? 0 : reflectivity())
+                .withRoughness(Math.clamp(roughness.orElse(isPhysical() ? 1.0 : 0.0), 0.0, 1.0))
+                .withMetallic(Math.clamp(metallic.orElse(maps.metallic().isPresent() ? 1.0 : 0.0), 0.0, 1.0))
                 .withTransmission(transmission)
                 .withIor(Math.clamp(index, 1.0, 4.0))
-                .withTexture(texture);
+                .withTexture(texture.map(ImageMap::file))
+                .withEmission(Emission.NONE.withColor(
+                        maps.emission().isPresent() && greatest(emission) == 0 ? new Rgb(1, 1, 1) : emission))
+                .withAlpha(maps.alpha().isPresent() ? Alpha.OPAQUE.withMode(Alpha.Mode.BLEND) : Alpha.OPAQUE)
+                .withMaps(maps.withTexture(texture.map(ImageMap::sampler).orElse(Sampler.DEFAULT)));
+    }
+
+    /** MeshLab writes {@code Tr 1} for what is opaque, which would be invisible. */
+    private static double opaque(double transparency) {
+        return transparency == 1 ? 1 : 1 - transparency;
+    }
+
+    /** Whether it has properties of the extension for physically based rendering. */
+    private boolean isPhysical() {
+        return metallic.isPresent()
+                || roughness.isPresent()
+                || maps.metallic().isPresent()
+                || maps.roughness().isPresent();
     }
 
     private boolean isGlass() {
@@ -53,9 +77,6 @@ final class MtlMaterial {
     }
 
     private double reflectivity() {
-        if (metallic > 0) {
-            return Reflectivity.of(Math.clamp(metallic, 0.0, 1.0), Math.clamp(roughness, 0.0, 1.0));
-        }
         double strength = specular.map(MtlMaterial::greatest).orElse(0.0);
         if (isMirror()) {
             return Reflectivity.MOST * (specular.isPresent() ? strength : 1);

@@ -1,8 +1,12 @@
 package dev.twister.mesh;
 
+import dev.twister.scene.ImageMap;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.Sampler;
+import dev.twister.scene.Wrap;
 import java.io.IOException;
+import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
@@ -14,22 +18,13 @@ final class MtlReader {
     private static final int MAX_MATERIALS = 10_000;
     private static final Set<String> UNUSED = Set.of(
             "Ka",
-            "Ke",
             "sharpness",
             "map_Ka",
             "map_Ks",
-            "map_Ke",
             "map_Ns",
-            "map_d",
-            "map_Bump",
-            "map_bump",
-            "bump",
             "disp",
             "decal",
             "refl",
-            "norm",
-            "map_Pr",
-            "map_Pm",
             "map_Ps",
             "Ps",
             "Pc",
@@ -93,9 +88,16 @@ final class MtlReader {
             }
             case "Tr" -> material.transparency = Optional.of(number());
             case "illum" -> material.illumination = text.integer("an illumination model from 0 to 10");
-            case "Pr" -> material.roughness = number();
-            case "Pm" -> material.metallic = number();
+            case "Ke" -> radiance().ifPresent(color -> material.emission = color);
+            case "Pr" -> material.roughness = Optional.of(number());
+            case "Pm" -> material.metallic = Optional.of(number());
             case "map_Kd" -> material.texture = texture(text.rest());
+            case "map_Ke" -> material.maps = material.maps.withEmission(texture(text.rest()));
+            case "map_d" -> material.maps = material.maps.withAlpha(texture(text.rest()));
+            case "map_Bump", "map_bump", "bump", "norm" ->
+                material.maps = material.maps.withNormal(texture(text.rest()));
+            case "map_Pr" -> material.maps = material.maps.withRoughness(texture(text.rest()));
+            case "map_Pm" -> material.maps = material.maps.withMetallic(texture(text.rest()));
             default -> {
                 if (!UNUSED.contains(keyword)) {
                     warnings.add("material library: " + Shown.text(keyword) + " is not read");
@@ -104,22 +106,27 @@ final class MtlReader {
         }
     }
 
-    /** Three numbers or a single gray value; empty for a spectrum or CIE XYZ, which are rare. */
     private Optional<Rgb> color() throws IOException {
+        return radiance()
+                .map(color -> new Rgb(Math.min(color.red(), 1), Math.min(color.green(), 1), Math.min(color.blue(), 1)));
+    }
+
+    /** Three numbers or a single gray value; empty for a spectrum or CIE XYZ, which are rare. */
+    private Optional<Rgb> radiance() throws IOException {
         if (!text.atLineEnd() && !text.atNumber()) {
             warnings.add("material library: a color as spectrum or CIE XYZ is not read");
             return Optional.empty();
         }
-        double red = unit();
+        double red = positive();
         if (text.atLineEnd()) {
             return Optional.of(new Rgb(red, red, red));
         }
-        double green = unit();
-        return Optional.of(new Rgb(red, green, text.atLineEnd() ? green : unit()));
+        double green = positive();
+        return Optional.of(new Rgb(red, green, text.atLineEnd() ? green : positive()));
     }
 
-    private double unit() throws IOException {
-        return Math.clamp(number(), 0.0, 1.0);
+    private double positive() throws IOException {
+        return Math.max(number(), 0);
     }
 
     private double number() throws IOException {
@@ -131,16 +138,28 @@ final class MtlReader {
     }
 
     /** The file name after the options of a texture. */
-    private Optional<Path> texture(String line) throws IOException {
+    private Optional<ImageMap> texture(String line) throws IOException {
         String rest = line;
+        double scale = 1;
+        Wrap wrap = Wrap.REPEAT;
         while (rest.matches("-[a-z].*")) {
-            warnings.add("material library: options of textures are not read");
-            rest = withoutOption(rest);
+            String next = withoutOption(rest);
+            String option = rest.substring(0, rest.length() - next.length()).strip();
+            if (option.matches("-bm\\s+[+-]?[0-9.]+")) {
+                scale = new BigDecimal(option.split("\\s+", 2)[1]).doubleValue();
+            } else if (option.matches("-clamp\\s+on")) {
+                wrap = Wrap.CLAMP;
+            } else if (!option.matches("-clamp\\s+off")) {
+                warnings.add("material library: the texture option " + Shown.text(option) + " is not read");
+            }
+            rest = next;
         }
         if (rest.isEmpty()) {
             return Optional.empty();
         }
-        return TextureFiles.beside(file, rest, warnings);
+        Sampler sampler = new Sampler(wrap, wrap, false, 0);
+        double factor = scale;
+        return TextureFiles.beside(file, rest, warnings).map(image -> new ImageMap(image, sampler, factor));
     }
 
     private static String withoutOption(String line) {

@@ -35,6 +35,7 @@ final class ObjReader {
     private final IntList polygonTextures = new IntList();
     private final SequencedMap<String, Integer> numberByMaterial = new LinkedHashMap<>();
     private final Map<String, Material> defined = new HashMap<>();
+    private final ObjColors colors = new ObjColors();
     private int libraries;
     private int material;
 
@@ -55,6 +56,7 @@ final class ObjReader {
             }
             text.skipLine();
         }
+        colors.addTo(soup);
         soup.warnOfUnusable(warnings);
         MeshAssembly.Assembled assembled = MeshAssembly.assemble(soup, Axes.Y_UP, smoothDegrees);
         if (assembled.meshByMaterial().isEmpty()) {
@@ -64,7 +66,7 @@ final class ObjReader {
         List<MeshPart> parts = new ArrayList<>();
         for (int number : assembled.meshByMaterial().keySet()) {
             String name = names.get(number);
-            parts.add(new MeshPart(name, parts.size(), Affine.IDENTITY, material(name)));
+            parts.add(new MeshPart(name, parts.size(), assembled.placement(), material(name)));
         }
         return new MeshFile(
                 List.copyOf(assembled.meshByMaterial().values()), parts, Map.of(), assembled.degenerateTriangles());
@@ -106,6 +108,7 @@ final class ObjReader {
         } else {
             soup.missingPosition();
         }
+        colors.read(text, soup.vertices());
         if (soup.vertices() > MeshLimits.VERTICES) {
             throw text.failure("more than " + MeshLimits.VERTICES + " vertices");
         }

@@ -6,12 +6,9 @@ import dev.twister.scene.Material;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.Set;
 
 /** Reads PLY files: text, and binary in both byte orders. */
 final class PlyReader {
-    private static final Set<String> COLORS = Set.of("red", "green", "blue", "diffuse_red");
-
     private final Path file;
     private final Bytes bytes;
     private final double smoothDegrees;
@@ -80,9 +77,7 @@ final class PlyReader {
         }
         boolean smooth = normals[0] >= 0 && normals[1] >= 0 && normals[2] >= 0;
         boolean textured = u >= 0 && v >= 0;
-        if (element.properties().stream().anyMatch(property -> COLORS.contains(property.name()))) {
-            warnings.add("vertices have colors; not read");
-        }
+        Optional<PlyColor> color = PlyColor.of(element);
         double[] row = new double[element.properties().size()];
         for (long vertex = 0; vertex < element.count(); vertex++) {
             readRow(element, values, row);
@@ -100,6 +95,7 @@ final class PlyReader {
             if (textured) {
                 soup.textureCoordinates(row[u], 1 - row[v]);
             }
+            color.ifPresent(paint -> paint.add(row, soup));
         }
     }
 
@@ -124,7 +120,11 @@ final class PlyReader {
         if (element.indexOf("texcoord") >= 0) {
             warnings.add("faces have texture coordinates; those of vertices alone are read");
         }
+        // Colors of vertices are finer than those of faces.
+        Optional<PlyColor> color = soup.colors.size() > 0 ? Optional.empty() : PlyColor.of(element);
+        double[] row = new double[element.properties().size()];
         for (long face = 0; face < element.count(); face++) {
+            int first = soup.triangles();
             for (int i = 0; i < element.properties().size(); i++) {
                 Property property = element.properties().get(i);
                 if (i == corners) {
@@ -132,10 +132,14 @@ final class PlyReader {
                 } else if (property.count().isPresent()) {
                     values.skip(property.type(), count(property, values));
                 } else {
-                    values.skip(property.type(), 1);
+                    row[i] = values.next(property.type());
                 }
             }
             values.endElement();
+            if (color.isPresent()) {
+                color.get().add(row, soup);
+                soup.paint(first);
+            }
         }
     }
 

@@ -25,7 +25,7 @@ final class PolygonCutter {
      * @param count number of corners, at least 3
      * @return three of the polygon's corners, in [0, count), per triangle; valid until the next call
      */
-    IntList cut(FloatList positions, IntList corners, int count) {
+    IntList cut(DoubleList positions, IntList corners, int count) {
         triangles.cut(0);
         if (count == 3) {
             add(0, 1, 2);
@@ -52,7 +52,7 @@ final class PolygonCutter {
     }
 
     /** Projects the polygon onto the coordinate plane in which its area is largest, counterclockwise. */
-    private void project(FloatList positions, IntList corners, int count) {
+    private void project(DoubleList positions, IntList corners, int count) {
         if (xs.length < count) {
             xs = new double[count];
             ys = new double[count];
@@ -77,7 +77,7 @@ final class PolygonCutter {
     }
 
     /** The normal by Newell's method. */
-    private static double[] normal(FloatList positions, IntList corners, int count) {
+    private static double[] normal(DoubleList positions, IntList corners, int count) {
         double[] normal = new double[3];
         int first = 3 * corners.get(0);
         for (int i = 0; i < count; i++) {
@@ -86,10 +86,10 @@ final class PolygonCutter {
             for (int axis = 0; axis < 3; axis++) {
                 int right = (axis + 1) % 3;
                 int up = (axis + 2) % 3;
-                double x = (double) positions.get(at + right) - positions.get(first + right);
-                double y = (double) positions.get(at + up) - positions.get(first + up);
-                double toX = (double) positions.get(to + right) - positions.get(first + right);
-                double toY = (double) positions.get(to + up) - positions.get(first + up);
+                double x = positions.get(at + right) - positions.get(first + right);
+                double y = positions.get(at + up) - positions.get(first + up);
+                double toX = positions.get(to + right) - positions.get(first + right);
+                double toY = positions.get(to + up) - positions.get(first + up);
                 normal[axis] += x * toY - toX * y;
             }
         }

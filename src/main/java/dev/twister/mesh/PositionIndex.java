@@ -4,17 +4,17 @@ import java.util.Arrays;
 
 /** Assigns numbers to positions; equal positions get the same number. */
 final class PositionIndex {
-    private final FloatList positions;
+    private final DoubleList positions;
     private int[] table = new int[1 << 10];
 
     /** Starts without positions; new ones are added to this empty list. */
-    PositionIndex(FloatList positions) {
+    PositionIndex(DoubleList positions) {
         this.positions = positions;
         Arrays.fill(table, -1);
     }
 
     /** The number of a position, which is added if it is new. */
-    int of(float x, float y, float z) {
+    int of(double x, double y, double z) {
         int count = positions.size() / 3;
         if (2 * count >= table.length) {
             grow(count);
@@ -38,7 +38,7 @@ final class PositionIndex {
         }
     }
 
-    private int slot(float x, float y, float z) {
+    private int slot(double x, double y, double z) {
         int mask = table.length - 1;
         int slot = TableHash.of(bits(x), bits(y), bits(z)) & mask;
         while (table[slot] >= 0 && !isAt(table[slot], x, y, z)) {
@@ -47,12 +47,12 @@ final class PositionIndex {
         return slot;
     }
 
-    private boolean isAt(int index, float x, float y, float z) {
+    private boolean isAt(int index, double x, double y, double z) {
         return positions.get(3 * index) == x && positions.get(3 * index + 1) == y && positions.get(3 * index + 2) == z;
     }
 
     // Adding 0 turns -0 into 0, which is equal to it.
-    private static int bits(float value) {
-        return Float.floatToRawIntBits(value + 0f);
+    private static int bits(double value) {
+        return Double.hashCode(value + 0.0);
     }
 }

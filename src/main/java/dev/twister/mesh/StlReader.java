@@ -84,6 +84,7 @@ final class StlReader {
             int b = vertexAt(at + 12, wrongCount);
             soup.triangle(a, b, vertexAt(at + 24, wrongCount));
         }
+        StlColors.read(bytes, (int) count, soup);
     }
 
     /** @param doubtful whether the file may not be STL at all */
@@ -143,9 +144,9 @@ final class StlReader {
 
     private int readVertex(TextCursor text) throws IOException {
         expect(text, "vertex");
-        float[] position = new float[3];
+        double[] position = new double[3];
         for (int axis = 0; axis < 3; axis++) {
-            position[axis] = (float) text.number();
+            position[axis] = text.number();
         }
         return MeshLimits.areCoordinates(position[0], position[1], position[2])
                 ? vertices.of(position[0], position[1], position[2])

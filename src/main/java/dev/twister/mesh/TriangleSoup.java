@@ -1,6 +1,9 @@
 package dev.twister.mesh;
 
+import dev.twister.scene.Vector3;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Triangles as listed in a file. Positions, normals and texture coordinates have separate numbers, or the same number
@@ -11,9 +14,25 @@ final class TriangleSoup {
 
     private static final double TEXTURE_COORDINATE = 1e6;
 
-    final FloatList positions;
+    /** As in the file, until {@link #center} is called. */
+    final DoubleList positions;
+
+    /** The positions relative to their center, in Twister's axes; empty until {@link #center} is called. */
+    final FloatList places = new FloatList();
+
     final FloatList normals;
     final FloatList textureCoordinates;
+
+    /** Further sets of texture coordinates, numbered as the first. */
+    final List<FloatList> furtherCoordinates = new ArrayList<>();
+
+    /** Red, green, blue and opacity. */
+    final FloatList colors = new FloatList();
+
+    /** Vectors, and a sign for each; numbered as the positions. */
+    final FloatList tangents = new FloatList();
+
+    final FloatList tangentSigns = new FloatList();
 
     /** Position number per corner. */
     IntList positionOf;
@@ -24,6 +43,9 @@ final class TriangleSoup {
     /** Texture coordinate number per corner; empty if it equals the position's number. */
     final IntList textureOf = new IntList();
 
+    /** Color number per corner; empty if it equals the position's number. */
+    final IntList colorOf = new IntList();
+
     /** Material number per triangle; empty if all are 0. */
     final IntList materialOf = new IntList();
 
@@ -31,7 +53,7 @@ final class TriangleSoup {
 
     /** With initial capacity for a number of vertices and triangles. */
     TriangleSoup(int vertices, int triangles) {
-        positions = new FloatList(3 * vertices);
+        positions = new DoubleList(3 * vertices);
         normals = new FloatList();
         textureCoordinates = new FloatList();
         positionOf = new IntList(3 * triangles);
@@ -46,9 +68,9 @@ final class TriangleSoup {
     }
 
     void position(double x, double y, double z) {
-        positions.add((float) x);
-        positions.add((float) y);
-        positions.add((float) z);
+        positions.add(x);
+        positions.add(y);
+        positions.add(z);
     }
 
     /** Adds a position that the file spoils; triangles with it are dropped as degenerate. */
@@ -78,6 +100,29 @@ final class TriangleSoup {
     void textureCoordinates(double u, double v) {
         textureCoordinates.add(usable(u));
         textureCoordinates.add(usable(v));
+    }
+
+    /** Adds texture coordinates of a further set, from 1 on. */
+    void furtherCoordinates(int set, double u, double v) {
+        while (furtherCoordinates.size() < set) {
+            furtherCoordinates.add(new FloatList());
+        }
+        furtherCoordinates.get(set - 1).add(usable(u));
+        furtherCoordinates.get(set - 1).add(usable(v));
+    }
+
+    /** Adds a linear color; values outside [0, 1] are clamped, unusable ones become 0. */
+    void color(double red, double green, double blue, double opacity) {
+        for (double value : new double[] {red, green, blue, opacity}) {
+            colors.add(value >= 0 ? (float) Math.min(value, 1) : 0);
+        }
+    }
+
+    /** Gives all corners of the triangles from a number on the last color added. */
+    void paint(int firstTriangle) {
+        for (int corner = 3 * firstTriangle; corner < positionOf.size(); corner++) {
+            colorOf.add(colors.size() / 4 - 1);
+        }
     }
 
     private static float usable(double value) {
@@ -116,15 +161,50 @@ final class TriangleSoup {
         return 2L * index + 1 < textureCoordinates.size() ? index : NONE;
     }
 
+    /** The number of the color at a corner, or {@link #NONE}. */
+    int colorAt(int corner) {
+        int index = colorOf.size() == 0 ? positionOf.get(corner) : colorOf.get(corner);
+        return 4L * index + 3 < colors.size() ? index : NONE;
+    }
+
     int materialAt(int triangle) {
         return materialOf.size() == 0 ? 0 : materialOf.get(triangle);
     }
 
+    /**
+     * Makes the positions floats. Where triangles are far from the file's origin for their size, floats would be too
+     * coarse, so they become relative to a center.
+     *
+     * @return the center in the file's axes, {@link Vector3#ZERO} for triangles near the origin
+     */
+    Vector3 center() {
+        Box bounds = Box.NONE;
+        for (int corner = 0; corner < positionOf.size(); corner++) {
+            Vector3 point = at(positionOf.get(corner));
+            bounds = Double.isNaN(point.x()) ? bounds : bounds.with(point);
+        }
+        Vector3 center = SoupCenter.of(bounds);
+        for (int vertex = 0; vertex < vertices(); vertex++) {
+            places.add((float) (positions.get(3 * vertex) - center.x()));
+            places.add((float) (positions.get(3 * vertex + 1) - center.y()));
+            places.add((float) (positions.get(3 * vertex + 2) - center.z()));
+        }
+        return center;
+    }
+
+    private Vector3 at(int vertex) {
+        return new Vector3(positions.get(3 * vertex), positions.get(3 * vertex + 1), positions.get(3 * vertex + 2));
+    }
+
     /** Converts all vectors, and restores the winding of the triangles. */
     void turn(Axes axes) {
-        axes.turn(positions.storage(), positions.size());
+        axes.turn(places.storage(), places.size());
         axes.turn(normals.storage(), normals.size());
-        for (IntList corners : Arrays.asList(positionOf, normalOf, textureOf)) {
+        axes.turn(tangents.storage(), tangents.size());
+        for (int vertex = 0; vertex < tangentSigns.size(); vertex++) {
+            tangentSigns.set(vertex, -tangentSigns.get(vertex));
+        }
+        for (IntList corners : Arrays.asList(positionOf, normalOf, textureOf, colorOf)) {
             for (int b = 1; b < corners.size(); b += 3) {
                 int swapped = corners.get(b);
                 corners.set(b, corners.get(b + 1));
@@ -136,12 +216,12 @@ final class TriangleSoup {
     /** Drops triangles without area; returns their number. */
     int dropDegenerate() {
         Face face = new Face();
-        float[] places = positions.storage();
+        float[] floats = places.storage();
         int kept = 0;
         int triangles = triangles();
         for (int triangle = 0; triangle < triangles; triangle++) {
             int corner = 3 * triangle;
-            if (face.set(places, positionOf.get(corner), positionOf.get(corner + 1), positionOf.get(corner + 2))) {
+            if (face.set(floats, positionOf.get(corner), positionOf.get(corner + 1), positionOf.get(corner + 2))) {
                 if (kept < triangle) {
                     move(triangle, kept);
                 }
@@ -151,12 +231,13 @@ final class TriangleSoup {
         positionOf.cut(3 * kept);
         normalOf.cut(Math.min(normalOf.size(), 3 * kept));
         textureOf.cut(Math.min(textureOf.size(), 3 * kept));
+        colorOf.cut(Math.min(colorOf.size(), 3 * kept));
         materialOf.cut(Math.min(materialOf.size(), kept));
         return triangles - kept;
     }
 
     private void move(int from, int to) {
-        for (IntList corners : Arrays.asList(positionOf, normalOf, textureOf)) {
+        for (IntList corners : Arrays.asList(positionOf, normalOf, textureOf, colorOf)) {
             for (int i = 0; i < 3 && corners.size() > 0; i++) {
                 corners.set(3 * to + i, corners.get(3 * from + i));
             }

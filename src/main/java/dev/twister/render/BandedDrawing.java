@@ -33,7 +33,12 @@ public final class BandedDrawing {
      * @param mostSamples largest number of samples per pixel of any band
      * @param noise estimated error of the noisiest part, as a share of white; 0 if it was not estimated
      */
-    public record Drawn(Frame frame, int fewestSamples, int mostSamples, double noise) {}
+    public record Drawn(Frame frame, int fewestSamples, int mostSamples, double noise) {
+        /** The same with another frame. */
+        Drawn with(Frame other) {
+            return new Drawn(other, fewestSamples, mostSamples, noise);
+        }
+    }
 
     /** Renders the rows of the input; each has the same bits as in the whole picture. */
     public static Drawn draw(
@@ -51,7 +56,9 @@ public final class BandedDrawing {
     private static Drawn drawSquares(
             Engine engine, FrameInput input, Sampling sampling, boolean linear, RenderProgress progress) {
         int height = input.rows();
-        Frame whole = linear ? Frame.ofRadiance(input.width(), height) : Frame.ofPixels(input.width(), height);
+        Frame whole = linear
+                ? Frame.ofRadiance(input.width(), height, input.layers())
+                : Frame.ofPixels(input.width(), height);
         int rowsPerBand = rowsPerBand(input, sampling);
         int fewest = sampling.samples();
         int most = 0;

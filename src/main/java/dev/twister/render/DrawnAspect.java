@@ -11,8 +11,9 @@ import java.util.List;
  * A rendered picture, stage or view.
  *
  * @param drawn its frame is linear if the output is, or if the values are not colors
+ * @param layers further channels of an .exr file: guides of denoising, and the noisy picture
  */
-public record DrawnAspect(Picture picture, BandedDrawing.Drawn drawn) {
+public record DrawnAspect(Picture picture, BandedDrawing.Drawn drawn, List<ExrChannel> layers) {
     private static final String COLOR_CHANNELS = "RGB";
     private static final int CHANNELS = 3;
 
@@ -42,6 +43,7 @@ public record DrawnAspect(Picture picture, BandedDrawing.Drawn drawn) {
         for (int channel = 0; channel < CHANNELS; channel++) {
             channels.add(new ExrChannel(layer + COLOR_CHANNELS.charAt(channel), frame().radiance(), channel, CHANNELS));
         }
+        channels.addAll(layers);
         return channels;
     }
 }

@@ -64,12 +64,13 @@ public enum PictureFormat {
      * Writes a PNG to a stream, which stays open.
      *
      * @param part the input of the rendered rows
+     * @param alpha whether the pixels' alpha is written
      * @param made stored in the file
      */
-    public static void writePng(OutputStream out, DrawnAspect drawn, FrameInput part, Provenance made)
+    static void writePng(OutputStream out, DrawnAspect drawn, FrameInput part, boolean alpha, Provenance made)
             throws IOException {
         Frame frame = drawn.frame();
-        PngWriter.write(out, frame.width(), frame.height(), drawn.pixels(), isEncoded(drawn, part), made);
+        PngWriter.write(out, frame.width(), frame.height(), drawn.pixels(), isEncoded(drawn, part), alpha, made);
     }
 
     /**
@@ -77,15 +78,17 @@ public enum PictureFormat {
      *
      * @param drawn one picture; an EXR file can hold several
      * @param input the input of the rendered rows
+     * @param alpha whether the pixels' alpha is written to a PNG
      * @param made stored in the file
      * @throws IOException as {@link dev.twister.files.WholeFile#write}
      */
-    public void write(Path file, List<DrawnAspect> drawn, FrameInput input, Provenance made) throws IOException {
+    void write(Path file, List<DrawnAspect> drawn, FrameInput input, boolean alpha, Provenance made)
+            throws IOException {
         DrawnAspect first = drawn.getFirst();
         int width = first.frame().width();
         int height = first.frame().height();
         switch (this) {
-            case PNG -> PngWriter.write(file, width, height, first.pixels(), isEncoded(first, input), made);
+            case PNG -> PngWriter.write(file, width, height, first.pixels(), isEncoded(first, input), alpha, made);
             case HDR -> HdrWriter.write(file, width, height, first.frame().radiance(), made);
             case EXR -> {
                 List<ExrChannel> channels = drawn.stream()

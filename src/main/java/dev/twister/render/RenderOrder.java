@@ -14,7 +14,6 @@ import java.util.List;
  * @param pictures the picture, a stage, or views; several need an .exr file
  * @param sampling samples of each pixel; replaces the scene's
  * @param part rows or samples to which the picture is limited
- * @param autoExposure whether the first picture of the film sets the exposure; no effect on linear files
  */
 public record RenderOrder(
         Scene scene,
@@ -23,7 +22,7 @@ public record RenderOrder(
         Sampling sampling,
         PicturePart part,
         Movement movement,
-        boolean autoExposure,
+        Finishing finishing,
         RenderOutput output) {
     /** The size of each picture. */
     public PictureSize size() {

@@ -10,8 +10,9 @@ import java.util.Optional;
  * @param file the film or picture, a pattern of {@link NumberedFiles}, or {@link #STANDARD_OUTPUT}
  * @param frames empty for a single picture
  * @param existing applies to numbered files; any other file is replaced
+ * @param background {@link Background#NONE} for PNG pictures only
  */
-public record RenderOutput(Path file, Optional<FrameRange> frames, ExistingFrames existing) {
+public record RenderOutput(Path file, Optional<FrameRange> frames, ExistingFrames existing, Background background) {
     public static final Path STANDARD_OUTPUT = Path.of("-");
 
     private static final FrameRange SINGLE = FrameRange.ofCount(1);

@@ -1,5 +1,6 @@
 package dev.twister.render;
 
+import dev.twister.denoise.DenoiserOffer;
 import dev.twister.engine.ExposureMeter;
 import dev.twister.film.EncodedPixels;
 import dev.twister.film.FilmFile;
@@ -45,12 +46,14 @@ public final class Renderer {
      * @param world of the order's scene
      * @throws IOException if a file cannot be written, or the bodies' positions cannot be read
      * @throws dev.twister.engine.EngineException if the engine does not work
+     * @throws dev.twister.denoise.DenoiseException if the denoiser does not work
      * @throws BlackPictureException if the exposure cannot be set by a picture
      */
     public static RenderResult render(RenderOrder order, World world, RenderProgress progress) throws IOException {
         world.setSettings(order.scene().rendering());
         // Told at once, not after minutes of simulation.
         order.engine().check();
+        order.finishing().denoiser().ifPresent(DenoiserOffer::check);
         BodyMotion motion = order.movement().bodies();
         try (PictureDrawing drawing = new PictureDrawing(order);
                 FilmBodies bodies = FilmBodies.of(motion, order.scene(), world.meshes(), progress)) {
@@ -64,11 +67,12 @@ public final class Renderer {
     /** Memory that rendering and writing takes, in bytes per pixel. */
     public static long bytesPerPixel(RenderOrder order) {
         RenderOutput output = order.output();
+        long finishing = order.finishing().bytesPerPixel();
         if (output.isFilm()) {
-            return (1L + FilmWriting.WAITING) * BandedDrawing.bytesPerPixel(false);
+            return (1L + FilmWriting.WAITING) * BandedDrawing.bytesPerPixel(false) + finishing;
         }
         long pictures = output.frames().isPresent() ? 1L + room(writers(output)) : 1;
-        return pictures * output.format().bytesPerPixel(order.pictures());
+        return pictures * (output.format().bytesPerPixel(order.pictures()) + finishing);
     }
 
     private static int writers(RenderOutput output) {
@@ -92,7 +96,7 @@ public final class Renderer {
     /** By the film's first frame, whichever frames are rendered, so that all parts of a film are as bright. */
     private void setExposure() throws IOException {
         Picture first = order.pictures().getFirst();
-        if (order.autoExposure() && first.isColor() && !output.isLinear()) {
+        if (order.finishing().autoExposure() && first.isColor() && !output.isLinear()) {
             int start = order.movement().bodies() instanceof BodyMotion.Recorded recorded
                     ? recorded.file().firstFrame()
                     : 0;
@@ -169,12 +173,13 @@ public final class Renderer {
     }
 
     private void write(int number, List<DrawnAspect> drawn, FrameInput part, Provenance made) throws IOException {
+        boolean alpha = output.background() == Background.NONE;
         if (output.isStandardOutput()) {
             // Not System.out, which hides errors. Not closed, as more pictures may follow.
             OutputStream out = new BufferedOutputStream(new FileOutputStream(FileDescriptor.out));
-            PictureFormat.writePng(out, drawn.getFirst(), part, made);
+            PictureFormat.writePng(out, drawn.getFirst(), part, alpha, made);
         } else {
-            output.format().write(output.file(number), drawn, part, made);
+            output.format().write(output.file(number), drawn, part, alpha, made);
         }
     }
 }

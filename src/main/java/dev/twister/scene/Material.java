@@ -1,7 +1,9 @@
 package dev.twister.scene;
 
 import java.nio.file.Path;
+import java.util.LinkedHashSet;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * What a body is made of; the names are glTF 2.0's where it has one.
@@ -15,6 +17,9 @@ import java.util.Optional;
  * @param texture a picture that the color is multiplied by, already resolved against the scene file's folder
  * @param emission light that it emits
  * @param attenuation what light loses inside
+ * @param alpha its opacity, of a mesh alone
+ * @param maps images that vary its properties
+ * @param unlit whether it shows its color as it is, without light
  */
 public record Material(
         Rgb color,
@@ -25,54 +30,228 @@ public record Material(
         double ior,
         Optional<Path> texture,
         Emission emission,
-        Attenuation attenuation) {
+        Attenuation attenuation,
+        Alpha alpha,
+        Maps maps,
+        boolean unlit) {
     /** Matte and white, with the index of glass; has the values of the fields that a file leaves out. */
-    public static final Material DEFAULT =
-            new Material(new Rgb(1, 1, 1), 0, 0, 0, 0, 1.5, Optional.empty(), Emission.NONE, Attenuation.NONE);
+    public static final Material DEFAULT = new Material(
+            new Rgb(1, 1, 1),
+            0,
+            0,
+            0,
+            0,
+            1.5,
+            Optional.empty(),
+            Emission.NONE,
+            Attenuation.NONE,
+            Alpha.OPAQUE,
+            Maps.NONE,
+            false);
 
     public Material withColor(Rgb newColor) {
         return new Material(
-                newColor, reflectivity, roughness, metallic, transmission, ior, texture, emission, attenuation);
+                newColor,
+                reflectivity,
+                roughness,
+                metallic,
+                transmission,
+                ior,
+                texture,
+                emission,
+                attenuation,
+                alpha,
+                maps,
+                unlit);
     }
 
     public Material withReflectivity(double newReflectivity) {
         return new Material(
-                color, newReflectivity, roughness, metallic, transmission, ior, texture, emission, attenuation);
+                color,
+                newReflectivity,
+                roughness,
+                metallic,
+                transmission,
+                ior,
+                texture,
+                emission,
+                attenuation,
+                alpha,
+                maps,
+                unlit);
     }
 
     public Material withRoughness(double newRoughness) {
         return new Material(
-                color, reflectivity, newRoughness, metallic, transmission, ior, texture, emission, attenuation);
+                color,
+                reflectivity,
+                newRoughness,
+                metallic,
+                transmission,
+                ior,
+                texture,
+                emission,
+                attenuation,
+                alpha,
+                maps,
+                unlit);
     }
 
     public Material withMetallic(double newMetallic) {
         return new Material(
-                color, reflectivity, roughness, newMetallic, transmission, ior, texture, emission, attenuation);
+                color,
+                reflectivity,
+                roughness,
+                newMetallic,
+                transmission,
+                ior,
+                texture,
+                emission,
+                attenuation,
+                alpha,
+                maps,
+                unlit);
     }
 
     public Material withTransmission(double newTransmission) {
         return new Material(
-                color, reflectivity, roughness, metallic, newTransmission, ior, texture, emission, attenuation);
+                color,
+                reflectivity,
+                roughness,
+                metallic,
+                newTransmission,
+                ior,
+                texture,
+                emission,
+                attenuation,
+                alpha,
+                maps,
+                unlit);
     }
 
     public Material withIor(double newIor) {
         return new Material(
-                color, reflectivity, roughness, metallic, transmission, newIor, texture, emission, attenuation);
+                color,
+                reflectivity,
+                roughness,
+                metallic,
+                transmission,
+                newIor,
+                texture,
+                emission,
+                attenuation,
+                alpha,
+                maps,
+                unlit);
     }
 
     public Material withTexture(Optional<Path> newTexture) {
         return new Material(
-                color, reflectivity, roughness, metallic, transmission, ior, newTexture, emission, attenuation);
+                color,
+                reflectivity,
+                roughness,
+                metallic,
+                transmission,
+                ior,
+                newTexture,
+                emission,
+                attenuation,
+                alpha,
+                maps,
+                unlit);
     }
 
     public Material withEmission(Emission newEmission) {
         return new Material(
-                color, reflectivity, roughness, metallic, transmission, ior, texture, newEmission, attenuation);
+                color,
+                reflectivity,
+                roughness,
+                metallic,
+                transmission,
+                ior,
+                texture,
+                newEmission,
+                attenuation,
+                alpha,
+                maps,
+                unlit);
     }
 
     public Material withAttenuation(Attenuation newAttenuation) {
         return new Material(
-                color, reflectivity, roughness, metallic, transmission, ior, texture, emission, newAttenuation);
+                color,
+                reflectivity,
+                roughness,
+                metallic,
+                transmission,
+                ior,
+                texture,
+                emission,
+                newAttenuation,
+                alpha,
+                maps,
+                unlit);
+    }
+
+    public Material withAlpha(Alpha newAlpha) {
+        return new Material(
+                color,
+                reflectivity,
+                roughness,
+                metallic,
+                transmission,
+                ior,
+                texture,
+                emission,
+                attenuation,
+                newAlpha,
+                maps,
+                unlit);
+    }
+
+    public Material withMaps(Maps newMaps) {
+        return new Material(
+                color,
+                reflectivity,
+                roughness,
+                metallic,
+                transmission,
+                ior,
+                texture,
+                emission,
+                attenuation,
+                alpha,
+                newMaps,
+                unlit);
+    }
+
+    public Material withUnlit(boolean newUnlit) {
+        return new Material(
+                color,
+                reflectivity,
+                roughness,
+                metallic,
+                transmission,
+                ior,
+                texture,
+                emission,
+                attenuation,
+                alpha,
+                maps,
+                newUnlit);
+    }
+
+    /** The files of its texture and its maps. */
+    public Set<Path> images() {
+        Set<Path> files = new LinkedHashSet<>();
+        texture.ifPresent(files::add);
+        maps.all().forEach(map -> files.add(map.file()));
+        return files;
+    }
+
+    /** Without texture and maps, as on a mesh without texture coordinates. */
+    public Material withoutImages() {
+        return withTexture(Optional.empty()).withMaps(Maps.NONE);
     }
 
     /** Whether, in path tracing, Fresnel's equations decide what it reflects: glTF's material, without reflectivity. */
@@ -80,8 +259,12 @@ public record Material(
         return reflectivity == 0 && (metallic > 0 || roughness > 0);
     }
 
-    /** The reflectivity without path tracing, where a metal without one shines the more the smoother it is. */
+    /**
+     * The reflectivity without path tracing, where a glTF material shines the more the smoother it is; glass reflects
+     * by its index of refraction.
+     */
     public double whittedReflectivity() {
-        return reflectivity == 0 && metallic > 0 ? (5 + 91 * metallic) * (1 - roughness) : reflectivity;
+        boolean derived = isByFresnel() && (metallic > 0 || transmission == 0);
+        return derived ? (5 + 91 * metallic) * (1 - roughness) : reflectivity;
     }
 }

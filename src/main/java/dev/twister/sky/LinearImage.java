@@ -7,23 +7,24 @@ import java.awt.image.SampleModel;
 import java.io.IOException;
 import java.util.Arrays;
 
-/** Turns decoded images into linear radiance, over black where they are transparent. */
+/** Turns decoded images into linear radiance. */
 final class LinearImage {
     private LinearImage() {}
 
-    static Skybox skybox(BufferedImage image, ImageMeaning meaning) throws IOException {
+    /** @param overBlack whether transparent texels are darker; otherwise the opacity is kept apart */
+    static Skybox skybox(BufferedImage image, ImageMeaning meaning, boolean overBlack) throws IOException {
         int type = image.getColorModel().getColorSpace().getType();
         if (type != ColorSpace.TYPE_RGB && type != ColorSpace.TYPE_GRAY) {
             throw new IOException("an image that is neither RGB nor gray");
         }
         ScanOrder order = meaning.order(image.getWidth(), image.getHeight());
-        Texels texels = new Texels(order);
+        Texels texels = new Texels(order, overBlack);
         if (meaning.isPalette()) {
             fromPalette(image, meaning, texels);
         } else {
             fromSamples(image, meaning, texels);
         }
-        return new Skybox(order.width(), order.height(), texels.radiance);
+        return new Skybox(order.width(), order.height(), texels.radiance, texels.opacity());
     }
 
     private static void fromPalette(BufferedImage image, ImageMeaning meaning, Texels texels) {
@@ -86,19 +87,39 @@ final class LinearImage {
         private final ScanOrder order;
         private final float[] linear;
         private final float[] radiance;
+        private final boolean overBlack;
+        private float[] kept = {};
 
-        Texels(ScanOrder order) {
+        Texels(ScanOrder order, boolean overBlack) {
             this.order = order;
+            this.overBlack = overBlack;
             this.linear = new float[3 * order.scanlineLength()];
             this.radiance = new float[3 * order.width() * order.height()];
+        }
+
+        private void keep(int texel, float opacity) {
+            if (kept.length == 0) {
+                kept = new float[radiance.length / 3];
+                Arrays.fill(kept, 1);
+            }
+            kept[texel] = opacity;
+        }
+
+        /** Of none if all texels are opaque. */
+        float[] opacity() {
+            return kept;
         }
 
         void put(int scanline, ColorEncoding.Rows rows, int[] samples, float[] opacity) {
             rows.convert(samples, linear);
             int target = order.texel(scanline, 0);
             for (int place = 0; place < opacity.length; place++) {
+                float part = overBlack ? opacity[place] : 1;
                 for (int channel = 0; channel < 3; channel++) {
-                    radiance[3 * target + channel] = opacity[place] * linear[3 * place + channel];
+                    radiance[3 * target + channel] = part * linear[3 * place + channel];
+                }
+                if (!overBlack && opacity[place] < 1) {
+                    keep(target, opacity[place]);
                 }
                 target += order.step();
             }

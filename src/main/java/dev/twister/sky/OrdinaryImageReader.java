@@ -25,9 +25,11 @@ final class OrdinaryImageReader {
     /**
      * Reads a panorama.
      *
+     * @param overBlack whether transparent texels are darker; otherwise the opacity is kept apart
      * @param warnings told of what the file says and is not used
      */
-    static Skybox read(FileBytes file, OrdinaryImageFormat format, Consumer<String> warnings) throws IOException {
+    static Skybox read(FileBytes file, OrdinaryImageFormat format, boolean overBlack, Consumer<String> warnings)
+            throws IOException {
         EncodedImage encoded = format.open(file, warnings);
         Iterator<ImageReader> readers = ImageIO.getImageReadersByFormatName(format.name());
         if (!readers.hasNext()) {
@@ -37,7 +39,7 @@ final class OrdinaryImageReader {
         ImageMeaning meaning = encoded.meaning();
         try (ImageInputStream stream = new MemoryCacheImageInputStream(encoded.decodable())) {
             reader.setInput(stream, true, true);
-            return LinearImage.skybox(decode(reader, format, encoded, meaning), meaning);
+            return LinearImage.skybox(decode(reader, format, encoded, meaning), meaning, overBlack);
         } finally {
             reader.dispose();
         }

@@ -70,7 +70,7 @@ public final class SkyboxReader {
         if (RadianceHeader.startsIn(file)) {
             return RadianceReader.read(file);
         }
-        Optional<Skybox> ordinary = decodeOrdinary(file, warnings);
+        Optional<Skybox> ordinary = decodeOrdinary(file, true, warnings);
         if (ordinary.isEmpty()) {
             throw unknown(file, "panorama", "Radiance, PNG and JPEG");
         }
@@ -78,10 +78,11 @@ public final class SkyboxReader {
     }
 
     /** The picture of a PNG or JPEG; empty where the first bytes are of neither. */
-    static Optional<Skybox> decodeOrdinary(FileBytes file, Consumer<String> warnings) throws IOException {
+    static Optional<Skybox> decodeOrdinary(FileBytes file, boolean overBlack, Consumer<String> warnings)
+            throws IOException {
         for (OrdinaryImageFormat format : OrdinaryImageFormat.values()) {
             if (format.startsIn(file)) {
-                return Optional.of(OrdinaryImageReader.read(file, format, warnings));
+                return Optional.of(OrdinaryImageReader.read(file, format, overBlack, warnings));
             }
         }
         return Optional.empty();

@@ -10,8 +10,8 @@ public final class TextureReader {
     private TextureReader() {}
 
     /**
-     * Reads a texture as {@link SkyboxReader#read(Path, Consumer)} reads panoramas, with the same limits. Radiance
-     * pictures are refused: what a color is multiplied by is at most 1.
+     * Reads a texture as {@link SkyboxReader#read(Path, Consumer)} reads panoramas, with the same limits, but keeps its
+     * opacity apart. Radiance pictures are refused: what a color is multiplied by is at most 1.
      *
      * @param file a file of the default file system
      * @param warnings told of what the file says and is not used; one line each that names the file
@@ -39,7 +39,7 @@ public final class TextureReader {
         if (RadianceHeader.startsIn(file)) {
             throw new IOException("a Radiance picture, but a texture must be PNG or JPEG");
         }
-        Optional<Skybox> ordinary = SkyboxReader.decodeOrdinary(file, warnings);
+        Optional<Skybox> ordinary = SkyboxReader.decodeOrdinary(file, false, warnings);
         if (ordinary.isEmpty()) {
             throw SkyboxReader.unknown(file, "texture", "PNG and JPEG");
         }

@@ -1,6 +1,7 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Variant;
 import dev.twister.scene.Vector3;
 
 /**
@@ -10,12 +11,12 @@ import dev.twister.scene.Vector3;
  * @param floats the array {@code bodies} of {@link Layout}: places relative to the origin, then the hierarchies over
  *     the present spheres, see {@link SphereHierarchy}, and over the meshes; its length depends only on the room, the
  *     lights and the meshes
- * @param looks the array {@code looks} of {@link Layout}: materials, then the textures' table
+ * @param looks the array {@code looks} of {@link Layout}: materials, then the maps' table
  * @param meshes the distinct meshes of the bodies
  * @param room maximum number of bodies without meshes and further lights; the second light is numbered from here
  * @param end one more than the highest body number, including meshes
  * @param firstMesh the first body after the lights, or {@link Layout#NO_MESHES} if no mesh is visible
- * @param plain whether all bodies, present or not, have only color and reflectivity
+ * @param materials bits of {@link Variant}: what the materials of all bodies, present or not, need of the kernel
  * @param origin origin of all coordinates of the input, in the scene's coordinates; near the camera, because floats
  *     lose precision far away
  */
@@ -27,7 +28,7 @@ public record Bodies(
         int room,
         int end,
         int firstMesh,
-        boolean plain,
+        int materials,
         Vector3 origin,
         HierarchyIdentity hierarchy) {
     /** One coordinate of a body's center, in meters: axis 0 for x, 1 for y, 2 for z. */
@@ -59,7 +60,7 @@ public record Bodies(
         return spheres() + Layout.spheresLength(room);
     }
 
-    /** Place of the textures' table in the looks. */
+    /** Place of the maps' table in the looks. */
     public int textures() {
         return Layout.LOOK_STRIDE * end;
     }
@@ -80,11 +81,16 @@ public record Bodies(
         return hierarchy == other.hierarchy;
     }
 
+    /** Whether all bodies, present or not, have only color and reflectivity. */
+    public boolean plain() {
+        return materials == 0;
+    }
+
     Bodies withLooks(float[] newLooks) {
-        return new Bodies(floats, newLooks, meshes, room, end, firstMesh, plain, origin, hierarchy);
+        return new Bodies(floats, newLooks, meshes, room, end, firstMesh, materials, origin, hierarchy);
     }
 
     Bodies withFloats(float[] newFloats) {
-        return new Bodies(newFloats, looks, meshes, room, end, firstMesh, plain, origin, new HierarchyIdentity());
+        return new Bodies(newFloats, looks, meshes, room, end, firstMesh, materials, origin, new HierarchyIdentity());
     }
 }

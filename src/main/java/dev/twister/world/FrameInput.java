@@ -1,6 +1,7 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Aspect;
+import dev.twister.kernel.Guides;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
 import java.util.Arrays;
@@ -104,11 +105,17 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
     public int variant(boolean linear) {
         return (hasFewSpheres() ? 0 : Variant.WALK)
                 | (bodies.firstMesh() == Layout.NO_MESHES ? 0 : Variant.MESHES)
-                | (bodies.plain() && !tracesPaths() ? 0 : Variant.MATERIALS)
+                | materials()
                 | (tracesPaths() ? Variant.PATH : 0)
                 | (hasSeveralLights() ? Variant.LIGHTS : 0)
                 | (linear ? Variant.LINEAR : 0)
                 | Variant.of(aspect());
+    }
+
+    private int materials() {
+        int none = tracesPaths() ? Variant.MATERIALS : 0;
+        return none
+                | (bodies.firstMesh() == Layout.NO_MESHES ? bodies.materials() & ~Variant.MASKS : bodies.materials());
     }
 
     /**
@@ -165,6 +172,16 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
      */
     public FrameInput showing(Picture picture) {
         return with(view.showing(picture));
+    }
+
+    /** The same picture with guides of denoising as layers, see {@link #layers}; for linear frames alone. */
+    public FrameInput withGuides() {
+        return with(new View(view.frame(), Aspect.GUIDED));
+    }
+
+    /** Number of layers of a linear frame beside the radiance: albedo and normal if there are guides. */
+    public int layers() {
+        return aspect() == Aspect.GUIDED ? Guides.LAYERS : 0;
     }
 
     private FrameInput with(View newView) {

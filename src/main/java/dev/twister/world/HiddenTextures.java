@@ -38,8 +38,8 @@ public final class HiddenTextures {
         for (MeshPart part : file.parts()) {
             boolean hasCoordinates = file.meshes().get(part.mesh()).textureCoordinates().length > 0;
             own.orElse(part.material())
-                    .texture()
-                    .ifPresent(texture -> byTexture.compute(
+                    .images()
+                    .forEach(texture -> byTexture.compute(
                             texture, (_, parts) -> (parts == null ? new Parts(0, 0) : parts).with(hasCoordinates)));
         }
         byTexture.values().removeIf(parts -> parts.without() == 0);

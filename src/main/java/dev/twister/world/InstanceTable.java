@@ -67,10 +67,14 @@ final class InstanceTable {
         floats[at + Layout.INSTANCE_BODY] = bodies.get(instance);
         int start = place.start() / Layout.ALIGNMENT;
         floats[at + Layout.INSTANCE_MESH] = start;
-        floats[at + Layout.INSTANCE_NODES] = place.nodes();
-        floats[at + Layout.INSTANCE_TRIANGLES] = place.triangles();
-        floats[at + Layout.INSTANCE_NORMALS] = place.normals();
-        floats[at + Layout.INSTANCE_TEXTURE_PLACES] = place.texturePlaces();
+        MeshCounts counts = place.counts();
+        floats[at + Layout.INSTANCE_NODES] = counts.nodes();
+        floats[at + Layout.INSTANCE_TRIANGLES] = counts.triangles();
+        floats[at + Layout.INSTANCE_NORMALS] = counts.normals();
+        floats[at + Layout.INSTANCE_TEXTURE_PLACES] = counts.texturePlaces();
+        floats[at + Layout.INSTANCE_VERTICES] = counts.vertices();
+        floats[at + Layout.INSTANCE_COLORS] = counts.colors();
+        floats[at + Layout.INSTANCE_TANGENTS] = counts.tangents();
     }
 
     private static void write(float[] floats, int at, Affine affine) {

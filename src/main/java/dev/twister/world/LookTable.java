@@ -1,6 +1,7 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Variant;
 import dev.twister.scene.Emission;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
@@ -8,10 +9,8 @@ import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sphere;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * The arrays {@code looks} and {@code images} of {@link Layout}; the same ones as long as their content is the same.
@@ -21,40 +20,41 @@ final class LookTable {
     private static final double DARKEST = 1e-9;
 
     private float[] looks = {};
-    private boolean plain;
+    private int materials;
     private int secondLight;
-    private float[] texels = {};
-    private List<Path> textures = List.of();
-    private Optional<SceneImages> images = Optional.empty();
+    private MapTexels texels = MapTexels.NONE;
 
     /**
      * The looks of all bodies.
      *
      * @param spheres including those to be poured
+     * @param meshFloats the array {@code meshes} of {@link Layout}, without maps
      * @throws IllegalArgumentException if one of the textures is missing
      */
-    void put(Lights lights, Ground ground, List<Sphere> spheres, List<MeshBody> meshes, SceneImages newImages) {
-        TexelTable table = new TexelTable(newImages);
+    void put(
+            Lights lights,
+            Ground ground,
+            List<Sphere> spheres,
+            List<MeshBody> meshes,
+            float[] meshFloats,
+            SceneImages newImages) {
+        MapTable table = new MapTable(newImages);
         secondLight = Layout.FIRST_SPHERE + spheres.size();
         int firstMesh = secondLight + lights.further().size();
         float[] materials = new float[Layout.LOOK_STRIDE * (firstMesh + meshes.size())];
-        put(materials, Layout.PLANE, ground.material(), table.number(ground.material()));
+        put(materials, Layout.PLANE, ground.material(), table.row(ground.material()));
         int body = Layout.FIRST_SPHERE;
         for (Sphere sphere : spheres) {
-            put(materials, body++, sphere.material(), table.number(sphere.material()));
+            put(materials, body++, sphere.material(), table.row(sphere.material()));
         }
         body = firstMesh;
         for (MeshBody mesh : meshes) {
-            put(materials, body++, mesh.material(), table.number(mesh.material()));
+            put(materials, body++, mesh.material(), table.row(mesh));
         }
-        plain = arePlain(materials);
+        this.materials = arePlain(materials) ? 0 : Variant.MATERIALS | table.variant();
         put(materials, lights);
-        replace(table.withTable(materials));
-        if (!images.equals(Optional.of(newImages)) || !textures.equals(table.textures())) {
-            texels = table.images();
-            textures = table.textures();
-            images = Optional.of(newImages);
-        }
+        texels = texels.changedTo(newImages, table.uses(), table.opacities(), meshFloats);
+        replace(table.withTable(materials, texels));
     }
 
     /** Changes as many lights as there are. */
@@ -88,12 +88,17 @@ final class LookTable {
     }
 
     float[] texels() {
-        return texels;
+        return texels.images();
     }
 
-    /** Whether all bodies, present or not, have only color and reflectivity. */
-    boolean arePlain() {
-        return plain;
+    /** The meshes, with the opacity maps behind them. */
+    float[] meshes() {
+        return texels.meshes();
+    }
+
+    /** What the materials of all bodies, present or not, need of the kernel: bits of {@link Variant}. */
+    int materials() {
+        return materials;
     }
 
     private static boolean arePlain(float[] looks) {
@@ -105,7 +110,7 @@ final class LookTable {
         return true;
     }
 
-    private static void put(float[] looks, int body, Material material, int texture) {
+    private static void put(float[] looks, int body, Material material, int maps) {
         int look = Layout.LOOK_STRIDE * body;
         putColor(looks, look, material.color());
         boolean fresnel = material.isByFresnel();
@@ -120,7 +125,7 @@ final class LookTable {
         looks[look + Layout.LOOK_METALLIC] = (float) (fresnel ? -1 - material.metallic() : material.metallic());
         putEmission(looks, look, material.emission());
         material.attenuation().distance().ifPresent(distance -> putAbsorption(looks, look, material, distance));
-        looks[look + Layout.LOOK_TEXTURE] = texture;
+        looks[look + Layout.LOOK_MAPS] = maps;
     }
 
     private static void putEmission(float[] looks, int look, Emission emission) {

@@ -9,14 +9,14 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * A part of a mesh file in the scene; each is one body.
  *
  * @param placement transform from the mesh's coordinates to the world's
+ * @param vertexColors whether the file's vertex colors multiply its material's
  */
-record MeshBody(Affine placement, Material material, MeshPlace place) {
+record MeshBody(Affine placement, Material material, boolean vertexColors, MeshPlace place) {
     /** All mesh bodies of a scene, in the order of its meshes and their files' parts. */
     static List<MeshBody> of(Scene scene, SceneMeshes meshes, Vector3 origin) {
         List<MeshBody> bodies = new ArrayList<>();
@@ -28,7 +28,8 @@ record MeshBody(Affine placement, Material material, MeshPlace place) {
                 Material material = mesh.material().orElse(part.material());
                 bodies.add(new MeshBody(
                         placement.of(part.placement()),
-                        place.texturePlaces() > 0 ? material : material.withTexture(Optional.empty()),
+                        place.counts().texturePlaces() > 0 ? material : material.withoutImages(),
+                        mesh.material().isEmpty() && place.counts().colors() > 0,
                         place));
             }
         }

@@ -2,18 +2,15 @@ package dev.twister.world;
 
 import dev.twister.kernel.Layout;
 import dev.twister.mesh.TriangleMesh;
+import java.util.List;
 
 /**
  * A mesh as the kernel reads it, see {@link Layout}.
  *
- * @param nodes number of nodes
- * @param triangles number of triangles
- * @param normals number of vertex normals: one per vertex or none
- * @param texturePlaces number of texture coordinates: one pair per vertex or none
  * @param floats the data; its length is a multiple of {@link Layout#ALIGNMENT}
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
-record MeshGeometry(int nodes, int triangles, int normals, int texturePlaces, float[] floats) {
+record MeshGeometry(MeshCounts counts, float[] floats) {
     /** Testing this many triangles takes about as long as testing two boxes and their content. */
     private static final int MOST_IN_LEAF = 4;
 
@@ -30,10 +27,10 @@ record MeshGeometry(int nodes, int triangles, int normals, int texturePlaces, fl
         float[] boxes = boxes(mesh);
         int[] order = new int[mesh.triangles()];
         float[] nodes = BoxTree.nodes(boxes, order, mostInLeaf);
-        long length = nodes.length
-                + (long) Layout.TRIANGLE_STRIDE * order.length
-                + mesh.normals().length
-                + mesh.textureCoordinates().length;
+        long length = nodes.length + (long) Layout.TRIANGLE_STRIDE * order.length;
+        for (float[] values : attributes(mesh)) {
+            length += values.length;
+        }
         long aligned = (length + Layout.ALIGNMENT - 1) / Layout.ALIGNMENT * Layout.ALIGNMENT;
         float[] floats = new float[Math.toIntExact(aligned)];
         System.arraycopy(nodes, 0, floats, 0, nodes.length);
@@ -46,15 +43,15 @@ record MeshGeometry(int nodes, int triangles, int normals, int texturePlaces, fl
             }
             at += Layout.TRIANGLE_STRIDE;
         }
-        System.arraycopy(mesh.normals(), 0, floats, at, mesh.normals().length);
-        at += mesh.normals().length;
-        System.arraycopy(mesh.textureCoordinates(), 0, floats, at, mesh.textureCoordinates().length);
-        return new MeshGeometry(
-                nodes.length / Layout.NODE_STRIDE,
-                order.length,
-                mesh.normals().length / 3,
-                mesh.textureCoordinates().length / 2,
-                floats);
+        for (float[] values : attributes(mesh)) {
+            System.arraycopy(values, 0, floats, at, values.length);
+            at += values.length;
+        }
+        return new MeshGeometry(MeshCounts.of(mesh, nodes.length / Layout.NODE_STRIDE), floats);
+    }
+
+    private static List<float[]> attributes(TriangleMesh mesh) {
+        return List.of(mesh.normals(), mesh.textureCoordinates(), mesh.colors(), mesh.tangents());
     }
 
     private static float[] boxes(TriangleMesh mesh) {

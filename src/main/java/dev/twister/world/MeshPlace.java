@@ -9,23 +9,16 @@ import java.util.Arrays;
  * @param start index of its first float
  * @param length number of floats
  */
-record MeshPlace(int start, int length, int nodes, int triangles, int normals, int texturePlaces) {
+record MeshPlace(int start, int length, MeshCounts counts) {
     static MeshPlace of(int start, MeshGeometry geometry) {
-        return new MeshPlace(
-                start,
-                geometry.floats().length,
-                geometry.nodes(),
-                geometry.triangles(),
-                geometry.normals(),
-                geometry.texturePlaces());
+        return new MeshPlace(start, geometry.floats().length, geometry.counts());
     }
 
     MeshGeometry geometry(float[] all) {
-        return new MeshGeometry(
-                nodes, triangles, normals, texturePlaces, Arrays.copyOfRange(all, start, start + length));
+        return new MeshGeometry(counts, Arrays.copyOfRange(all, start, start + length));
     }
 
     boolean isEmpty() {
-        return triangles == 0;
+        return counts.triangles() == 0;
     }
 }

@@ -192,9 +192,10 @@ public final class SceneMeshes {
     /** The material of a mesh if the scene gives none: that of its file's first part. */
     public Material fileMaterial(Mesh mesh) {
         Material material = loaded(mesh).file().parts().getFirst().material();
-        boolean embedded = material.texture().flatMap(this::embeddedImage).isPresent();
-        // No scene file can refer to an embedded texture.
-        return embedded ? material.withTexture(Optional.empty()) : material;
+        boolean embedded = material.images().stream()
+                .anyMatch(image -> embeddedImage(image).isPresent());
+        // No scene file can refer to an embedded image.
+        return embedded ? material.withoutImages() : material;
     }
 
     /**
@@ -208,7 +209,7 @@ public final class SceneMeshes {
             if (mesh.material().isEmpty()) {
                 for (MeshPart part : file(mesh).parts()) {
                     String place = "meshes[" + i + "].file";
-                    part.material().texture().ifPresent(texture -> placeByTexture.putIfAbsent(texture, place));
+                    part.material().images().forEach(texture -> placeByTexture.putIfAbsent(texture, place));
                 }
             }
         }

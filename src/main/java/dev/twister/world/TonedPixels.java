@@ -19,12 +19,26 @@ public final class TonedPixels {
     public static int[] of(float[] radiance, Rendering settings) {
         float[] frame = new float[Layout.SAMPLES];
         World.putTone(frame, settings);
-        float[] path = new float[Layout.PATH_LENGTH];
         int[] argb = new int[radiance.length / CHANNELS];
+        write(radiance, frame, argb);
+        return argb;
+    }
+
+    /**
+     * Writes pixels as 0xAARRGGBB.
+     *
+     * @param radiance three floats per pixel: linear red, green and blue
+     * @param input exposure, tone map and transfer function
+     */
+    public static void write(float[] radiance, FrameInput input, int[] argb) {
+        write(radiance, input.view().frame(), argb);
+    }
+
+    private static void write(float[] radiance, float[] frame, int[] argb) {
+        float[] path = new float[Layout.PATH_LENGTH];
         for (int pixel = 0; pixel < argb.length; pixel++) {
             System.arraycopy(radiance, CHANNELS * pixel, path, Layout.RADIANCE, CHANNELS);
             argb[pixel] = Tone.argb(path, 1, frame);
         }
-        return argb;
     }
 }

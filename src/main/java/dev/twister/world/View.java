@@ -13,7 +13,7 @@ import java.util.Arrays;
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
 public record View(float[] frame, int aspect) {
     /**
-     * A view of the values from {@link Layout#CAMERA_POSITION} to {@link Layout#TEXTURES} with tables behind them.
+     * A view of the values from {@link Layout#CAMERA_POSITION} to {@link Layout#MAPS} with tables behind them.
      *
      * @param disc points of the unit sunflower, {@code sqrt(i / n)} from the center: x and y of each shadow sample
      * @param samples {@link PixelSamples}

@@ -157,7 +157,13 @@ public final class World {
     }
 
     private void putLooks() {
-        looks.put(scene.lights(), scene.ground(), scene.allSpheres(), MeshBody.of(scene, meshes, origin), images);
+        looks.put(
+                scene.lights(),
+                scene.ground(),
+                scene.allSpheres(),
+                MeshBody.of(scene, meshes, origin),
+                meshes.floats(),
+                images);
     }
 
     private void putSamples(Rendering before) {
@@ -209,11 +215,11 @@ public final class World {
         Bodies bodies = new Bodies(
                 places.floats(),
                 looks.looks(),
-                meshes.floats(),
+                looks.meshes(),
                 places.room(),
                 places.end(),
                 places.firstMesh(),
-                looks.arePlain(),
+                looks.materials(),
                 origin,
                 places.hierarchy());
         float[] values = values(bodies);
@@ -258,7 +264,7 @@ public final class World {
         values[Layout.FIRST_MESH] = bodies.firstMesh();
         values[Layout.ROOT] = bodies.root(places.present());
         values[Layout.INSTANCES] = bodies.instances();
-        values[Layout.TEXTURES] = bodies.textures();
+        values[Layout.MAPS] = bodies.textures();
         values[Layout.CLAMP] = (float) settings.clamp();
         values[Layout.LIGHTS] = scene.lights().count();
         values[Layout.SECOND_LIGHT] = places.room();

@@ -184,7 +184,7 @@ class MaterialTest {
         assertThat(material(FIRST + 1).texture()).isEmpty();
         DrawnPicture picture = driver.awaitCurrentPicture();
         Bodies bodies = picture.input().bodies();
-        assertThat(bodies.looks()).hasSize(bodies.textures() + Layout.TEXTURE_STRIDE);
+        assertThat(bodies.looks()).hasSize(bodies.textures() + Layout.MAPS_STRIDE);
         ComboBox<Optional<Path>> box = box("Texture");
         assertThat(WindowDriver.call(box::getValue)).contains(red);
         driver.run(() -> box.setValue(Optional.empty()));

@@ -151,8 +151,8 @@ class RenderWindowTest {
             driver.await(() -> driver.text("rendering").startsWith("first.png: "));
             assertThat(driver.text("rendering")).endsWith(" · 1 waiting");
             mayDraw.countDown();
-            driver.await(() -> driver.notice().startsWith("Rendered")
-                    && driver.notice().endsWith("second.png"));
+            driver.await(() ->
+                    driver.notice().startsWith("Rendered") && driver.notice().endsWith("second.png"));
             assertThat(folder.toFile().list()).containsExactlyInAnyOrder("first.png", "second.png");
             driver.await(() ->
                     !driver.find("#cancel-rendering", Node.class).getParent().isVisible());

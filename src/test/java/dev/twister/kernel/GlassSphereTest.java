@@ -28,9 +28,9 @@ class GlassSphereTest {
         looks[look + Layout.LOOK_IOR] = ior;
         float[] path = Paths.ray(new float[] {1, (float) (2 + b), 0}, new float[] {0, 0, 1}, Layout.NOTHING);
         passOn(path, looks);
-        assertThat(path[Layout.INSIDE]).isEqualTo(1f);
+        assertThat(path[Layout.INSIDE]).isEqualTo(Layout.CROSSED_INTO);
         passOn(path, looks);
-        assertThat(path[Layout.INSIDE]).isZero();
+        assertThat(path[Layout.INSIDE]).isEqualTo(Layout.CROSSED_OUT);
 
         double turn = 2 * (Math.asin(b / RADIUS) - Math.asin(b / RADIUS / ior));
         assertThat(path[Layout.DIRECTION]).isZero();
@@ -46,7 +46,6 @@ class GlassSphereTest {
     /** Continues with the refracted ray, whichever of the two branches is pending. */
     private static void passOn(float[] path, float[] looks) {
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
-        float inside = path[Layout.INSIDE];
         path[Layout.WAITING] = 0;
         float[] frame = Paths.frame(BODIES);
         float[] none = new float[0];
@@ -57,7 +56,8 @@ class GlassSphereTest {
         Surface.face(path, body, frame, Variant.MATERIALS);
         Facet.find(path, frame);
         Branch.split(path, body, 0f, 1f, 1f, scratch);
-        if (path[Layout.WAITING] > 0 && path[Layout.INSIDE] == inside) {
+        boolean crossed = path[Layout.INSIDE] == Layout.CROSSED_INTO || path[Layout.INSIDE] == Layout.CROSSED_OUT;
+        if (path[Layout.WAITING] > 0 && !crossed) {
             Branch.resume(path, scratch);
         }
     }

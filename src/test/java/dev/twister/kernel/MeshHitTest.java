@@ -148,6 +148,7 @@ class MeshHitTest {
         path[Layout.DISTANCE] = Intersection.MISS;
         float[] frame = new float[Layout.DISC];
         frame[Layout.INSTANCES] = bodies.instances();
-        return MeshHit.find(path, Layout.NOTHING, scratch, frame, bodies.floats(), bodies.meshes(), Variant.MESHES);
+        return MeshHit.find(
+                path, Layout.NOTHING, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), Variant.MESHES);
     }
 }

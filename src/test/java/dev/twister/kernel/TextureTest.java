@@ -1,8 +1,9 @@
 package dev.twister.kernel;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
-import java.util.Arrays;
+import dev.twister.scene.Wrap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -14,22 +15,37 @@ class TextureTest {
     @ParameterizedTest
     @CsvSource({"1, 1", "-1, 0.5"})
     void rowsOfASphereEndAtThePoles(float up, float expected) {
-        assertThat(albedo(Layout.FIRST_SPHERE, new float[] {0, up, 0})).isEqualTo(expected);
+        assertThat(texel(Layout.FIRST_SPHERE, new float[] {0, up, 0})).isEqualTo(expected);
     }
 
     @Test
     void rowsOfThePlaneRepeat() {
-        assertThat(albedo(Layout.PLANE, new float[] {0, 1, 0})).isEqualTo(0.75f);
+        assertThat(texel(Layout.PLANE, new float[] {0, 1, 0})).isEqualTo(0.75f);
     }
 
-    private static float albedo(int body, float[] normal) {
+    @ParameterizedTest
+    @CsvSource({
+        "0.25, REPEAT, 0, 0.5",
+        "1.25, REPEAT, 0, 0.5",
+        "1.25, CLAMP, 0, 3",
+        "-0.25, CLAMP, 0, 0",
+        "1.25, MIRROR, 0, 2.5",
+        "-0.25, MIRROR, 0, 0.5",
+        "0.3, REPEAT, 1, 1",
+        "0.999, REPEAT, 1, 3",
+        "1.2, MIRROR, 1, 3"
+    })
+    void placesBeyondTheBorders(float coordinate, Wrap wrap, int nearest, float expected) {
+        assertThat(Texture.place(coordinate, 4, wrap.ordinal(), nearest)).isEqualTo(expected, within(1e-5f));
+    }
+
+    private static float texel(int body, float[] normal) {
         float[] path = new float[Layout.PATH_LENGTH];
         System.arraycopy(normal, 0, path, Layout.NORMAL, 3);
-        Arrays.fill(path, Layout.ALBEDO, Layout.ALBEDO + 3, 1f);
-        float[] looks = new float[Layout.TEXTURE_STRIDE];
-        looks[Layout.TEXTURE_WIDTH] = 1;
-        looks[Layout.TEXTURE_HEIGHT] = 2;
-        Texture.multiply(path, body, 1, new float[Layout.DISC], looks, TEXELS, Variant.MATERIALS);
-        return path[Layout.ALBEDO];
+        float[] looks = new float[Layout.MAPS_STRIDE];
+        looks[Layout.MAP_WIDTH] = 1;
+        looks[Layout.MAP_HEIGHT] = 2;
+        Texture.aim(path, 0, body, new float[Layout.DISC], looks, Variant.MATERIALS);
+        return Texture.channel(path, 0, 0, looks, TEXELS);
     }
 }

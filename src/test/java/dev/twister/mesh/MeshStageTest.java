@@ -30,6 +30,7 @@ class MeshStageTest {
 
     private Scene stage(String half) {
         String text = "v -%1$s 0 0\nv %1$s 0 0\nv 0 %1$s 0\nf 1 2 3\n".formatted(half);
-        return MeshStage.of(folder.resolve("a.obj"), Reading.read(folder, "a.obj", text), Path.of("sky.hdr"));
+        return MeshStage.of(
+                folder.resolve("a.obj"), Reading.read(folder, "a.obj", text), Path.of("sky.hdr"), MeshPose.OF_FILE);
     }
 }

@@ -2,6 +2,7 @@ package dev.twister.mesh;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.scene.Emission;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import java.io.IOException;
@@ -44,8 +45,9 @@ class ObjReaderTest {
                         "Kd 1 0 0\nTr 0.25",
                         Material.DEFAULT.withColor(red).withTransmission(0.25).withIor(1)),
                 Arguments.of("Kd 1 0 0\nd 1\nTr 1", Material.DEFAULT.withColor(red)),
-                Arguments.of(
-                        "Pm 1\nPr 0.5", Material.DEFAULT.withReflectivity(48).withRoughness(0.5)));
+                Arguments.of("Kd 1 0 0\nTr 1.0", Material.DEFAULT.withColor(red)),
+                Arguments.of("Ke 5 2 0", Material.DEFAULT.withEmission(Emission.NONE.withColor(new Rgb(5, 2, 0)))),
+                Arguments.of("Pm 1\nPr 0.5", Material.DEFAULT.withMetallic(1).withRoughness(0.5)));
     }
 
     @ParameterizedTest(name = "{0}")

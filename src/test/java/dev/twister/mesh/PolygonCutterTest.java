@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 /** Polygons cut into triangles that cover them exactly. */
 class PolygonCutterTest {
-    private final FloatList positions = new FloatList();
+    private final DoubleList positions = new DoubleList();
     private final IntList corners = new IntList();
 
     @Test
@@ -51,7 +51,7 @@ class PolygonCutterTest {
         Random random = new Random(seed);
         int count = 4 + random.nextInt(40);
         double tilt = random.nextDouble(6.28);
-        FloatList places = new FloatList();
+        DoubleList places = new DoubleList();
         IntList star = new IntList();
         double expected = 0;
         double[] radii = random.doubles(count, 0.1, 3).toArray();
@@ -68,7 +68,10 @@ class PolygonCutterTest {
         assertThat(cut.size()).isEqualTo(3 * (count - 2));
         double sum = 0;
         Face face = new Face();
-        float[] storage = places.storage();
+        float[] storage = new float[places.size()];
+        for (int i = 0; i < storage.length; i++) {
+            storage[i] = (float) places.get(i);
+        }
         for (int i = 0; i < cut.size(); i += 3) {
             face.set(storage, cut.get(i), cut.get(i + 1), cut.get(i + 2));
             double toAxis = face.z() * Math.cos(tilt) - face.x() * Math.sin(tilt);

@@ -38,7 +38,7 @@ class ShippedMeshesTest {
 
     /** Each edge belongs to one triangle in each direction; only positions are compared. */
     private static void assertClosed(TriangleMesh mesh) {
-        PositionIndex index = new PositionIndex(new FloatList());
+        PositionIndex index = new PositionIndex(new DoubleList());
         Map<Long, Integer> balances = new HashMap<>();
         for (int i = 0; i < mesh.corners().length; i++) {
             int from = place(mesh, i, index);

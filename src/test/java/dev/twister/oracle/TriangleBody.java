@@ -73,6 +73,13 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
         return ray.direction().dot(face()) > 0 ? face().times(-1) : face();
     }
 
+    /** Whether a ray starts in the triangle's plane, as exactly as floats place it: it leaves a coincident surface. */
+    private boolean startsInPlane(Ray ray) {
+        Vector fromCorner = ray.origin().minus(corners[0].place());
+        double size = ray.origin().length() + corners[0].place().length();
+        return Math.abs(face().normalized().dot(fromCorner)) <= 0x1p-22 * size;
+    }
+
     /** Intersects from either side (Moeller and Trumbore 1997). */
     @Override
     public double distance(Ray ray) {
@@ -83,7 +90,7 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
         Vector along = fromCorner.cross(edge(1));
         double c = ray.direction().dot(along) / determinant;
         double distance = edge(2).dot(along) / determinant;
-        return b >= 0 && c >= 0 && b + c <= 1 && distance > 0 ? distance : MISS;
+        return b >= 0 && c >= 0 && b + c <= 1 && distance > 0 && !startsInPlane(ray) ? distance : MISS;
     }
 
     /** A ray never hits the triangle that it leaves. */

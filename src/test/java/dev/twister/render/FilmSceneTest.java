@@ -69,8 +69,12 @@ class FilmSceneTest {
                 new Sampling(1, Optional.empty()),
                 PicturePart.WHOLE,
                 movement,
-                false,
-                new RenderOutput(Path.of("f.png"), Optional.of(FrameRange.ofCount(1000)), ExistingFrames.REPLACED));
+                Finishing.NONE,
+                new RenderOutput(
+                        Path.of("f.png"),
+                        Optional.of(FrameRange.ofCount(1000)),
+                        ExistingFrames.REPLACED,
+                        Background.SKY));
         return new FilmScene(order, World.of(scene, SceneImages.read(scene, _ -> {})), (_, _) -> {});
     }
 }

@@ -67,6 +67,9 @@ public final class FullScene {
                 1.4,
                 Optional.of(TEXTURE),
                 new Emission(new Rgb(3, 2, 1), 0.5, false),
-                new Attenuation(new Rgb(0.9, 0.8, 0.7), Optional.of(2.5)));
+                new Attenuation(new Rgb(0.9, 0.8, 0.7), Optional.of(2.5)),
+                Alpha.OPAQUE,
+                Maps.NONE,
+                false);
     }
 }

@@ -19,7 +19,7 @@ public final class MeshLeaves {
                 bodies.room(),
                 bodies.end(),
                 bodies.firstMesh(),
-                bodies.plain(),
+                bodies.materials(),
                 bodies.origin(),
                 bodies.hierarchy());
     }

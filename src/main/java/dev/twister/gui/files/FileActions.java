@@ -11,6 +11,7 @@ import dev.twister.gui.model.SceneHistory;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
+import dev.twister.mesh.MeshPose;
 import dev.twister.mesh.MeshStage;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
@@ -110,7 +111,8 @@ public final class FileActions {
         Path sky = FileNames.absolute(shipped.skyboxes().resolve(ShippedSky.DAY.fileName()));
         assets.readMesh(mesh, unlessEdited(held -> {
             studio.assets().keepMesh(mesh, held);
-            studio.show(new OpenedScene(MeshStage.sceneFile(absolute), MeshStage.of(absolute, held, sky)));
+            studio.show(new OpenedScene(
+                    MeshStage.sceneFile(absolute), MeshStage.of(absolute, held, sky, MeshPose.OF_FILE)));
             settings.remember(file);
         }));
     }

@@ -1,8 +1,10 @@
 package dev.twister.gui.model;
 
 import dev.twister.engine.EngineOffer;
+import dev.twister.render.Background;
 import dev.twister.render.BodyMotion;
 import dev.twister.render.ExistingFrames;
+import dev.twister.render.Finishing;
 import dev.twister.render.Movement;
 import dev.twister.render.PicturePart;
 import dev.twister.render.RenderOrder;
@@ -33,7 +35,7 @@ public final class WindowOrder {
                 picture,
                 engine,
                 new Movement(bodies, _ -> scene.camera(), 1),
-                new RenderOutput(file, Optional.empty(), ExistingFrames.REPLACED));
+                new RenderOutput(file, Optional.empty(), ExistingFrames.REPLACED, Background.SKY));
     }
 
     /**
@@ -47,7 +49,7 @@ public final class WindowOrder {
                 picture,
                 engine,
                 film.movement(scene.camera()),
-                new RenderOutput(file, Optional.of(film.frames()), ExistingFrames.REPLACED));
+                new RenderOutput(file, Optional.of(film.frames()), ExistingFrames.REPLACED, Background.SKY));
     }
 
     private static RenderOrder of(
@@ -55,6 +57,7 @@ public final class WindowOrder {
         // The last stage is the picture itself, which files and commands call by this name.
         Picture named = picture == Picture.REFLECTIONS ? Picture.BEAUTY : picture;
         Sampling sampling = new Sampling(scene.rendering().samplesPerPixel(), Optional.empty());
-        return new RenderOrder(scene, engine, List.of(named), sampling, PicturePart.WHOLE, movement, false, output);
+        return new RenderOrder(
+                scene, engine, List.of(named), sampling, PicturePart.WHOLE, movement, Finishing.NONE, output);
     }
 }

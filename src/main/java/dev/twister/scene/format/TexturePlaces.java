@@ -1,5 +1,6 @@
 package dev.twister.scene.format;
 
+import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import java.nio.file.Path;
@@ -37,7 +38,15 @@ public final class TexturePlaces {
     }
 
     private void add(Material material, JsonPath body) {
-        material.texture()
-                .ifPresent(file -> placeByFile.putIfAbsent(file, new JsonPath.Field(body, "texture").toString()));
+        material.texture().ifPresent(file -> add(file, body, "texture"));
+        Maps maps = material.maps();
+        maps.emission().ifPresent(map -> add(map.file(), body, "emissionMap"));
+        maps.roughness().ifPresent(map -> add(map.file(), body, "roughnessMap"));
+        maps.normal().ifPresent(map -> add(map.file(), body, "normalMap"));
+        material.images().forEach(file -> add(file, body, "texture"));
+    }
+
+    private void add(Path file, JsonPath body, String field) {
+        placeByFile.putIfAbsent(file, new JsonPath.Field(body, field).toString());
     }
 }

@@ -62,7 +62,7 @@ final class DevicePlan implements AutoCloseable {
         this.linear = linear;
         int count = Math.multiplyExact(input.width(), input.rows());
         pixels = linear ? NO_PIXELS.clone() : new int[count];
-        radiance = linear ? new float[Math.multiplyExact(3, count)] : NO_RADIANCE.clone();
+        radiance = linear ? new float[Math.multiplyExact(3 * (1 + input.layers()), count)] : NO_RADIANCE.clone();
         if (linear) {
             Arrays.fill(radiance, Float.NaN);
         }
@@ -136,7 +136,9 @@ final class DevicePlan implements AutoCloseable {
         lastCopied = new Copied(profile.getTotalBytesCopyIn(), profile.getTotalBytesCopyOut());
         requireKernelRan(profile);
         if (linear) {
-            System.arraycopy(radiance, 0, frame.radiance(), 0, radiance.length);
+            int plane = frame.radiance().length;
+            System.arraycopy(radiance, 0, frame.radiance(), 0, plane);
+            System.arraycopy(radiance, plane, frame.layers(), 0, frame.layers().length);
         } else {
             System.arraycopy(pixels, 0, frame.argb(), 0, pixels.length);
         }

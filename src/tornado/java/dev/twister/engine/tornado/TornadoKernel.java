@@ -22,7 +22,8 @@ public final class TornadoKernel implements Supplier<DrawTask> {
      * between frames is in the arrays, which are those of {@link dev.twister.world.FrameInput}.
      *
      * @param pixels {@code int[width * rows]} if the output is ARGB, else one int
-     * @param radiance {@code float[3 * width * rows]} if the output is linear, else one float
+     * @param radiance {@code float[3 * width * rows]} if the output is linear, and as many for each further layer; else
+     *     one float
      * @param variant bits of {@link Variant}
      */
     static void draw(
@@ -42,11 +43,12 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                 int isShort = Aspect.isCount(variant) == 0 ? (variant & Variant.LIGHTS) == 0 ? 1 : 0 : 0;
                 int plainPath = isShort != 0 ? Layout.PLAIN_PATH_LENGTH : Layout.PATH_LENGTH;
                 int longPath = (variant & Variant.PATH) != 0 ? Layout.TRACED_PATH_LENGTH : Layout.PATH_LENGTH;
-                float[] path = new float[isPlain != 0 ? plainPath : longPath];
+                int usualPath = isPlain != 0 ? plainPath : longPath;
+                float[] path = new float[Aspect.isGuided(variant) != 0 ? Layout.GUIDED_PATH_LENGTH : usualPath];
                 int plainScratch = (variant & Variant.WALK) == 0 ? FEW_SCRATCH : Layout.PLAIN_SCRATCH_LENGTH;
                 float[] scratch = new float[isPlain != 0 ? plainScratch : Layout.SCRATCH_LENGTH];
                 PixelKernel.draw(column, row, path, scratch, frame, bodies, looks, meshes, images, variant);
-                PixelKernel.store(column, row, pixels, radiance, path, frame, variant);
+                PixelKernel.store(column, row, pixels, radiance, radiance, 3 * width * rows, path, frame, variant);
             }
         }
     }

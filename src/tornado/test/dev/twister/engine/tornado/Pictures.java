@@ -45,22 +45,28 @@ final class Pictures {
         return frame.argb();
     }
 
-    /** As {@link #requireSequentials} for linear radiance, where 1 of 255 is relative above 1. */
+    /** As {@link #requireSequentials} for linear radiance and layers, where 1 of 255 is relative above 1. */
     static void requireSequentialsRadiance(Engine engine, FrameInput input) {
-        Frame expected = Frame.ofRadiance(input.width(), input.rows());
+        Frame expected = Frame.ofRadiance(input.width(), input.rows(), input.layers());
         try (Engine sequential = Engines.open("sequential")) {
             sequential.render(input, expected);
         }
-        Frame frame = Frame.ofRadiance(input.width(), input.rows());
+        Frame frame = Frame.ofRadiance(input.width(), input.rows(), input.layers());
         Arrays.fill(frame.radiance(), Float.NaN);
+        Arrays.fill(frame.layers(), Float.NaN);
         engine.render(input, frame);
+        requireAlike(frame.radiance(), expected.radiance());
+        requireAlike(frame.layers(), expected.layers());
+    }
+
+    private static void requireAlike(float[] values, float[] expected) {
         int differences = 0;
-        for (int i = 0; i < expected.radiance().length; i++) {
-            float right = expected.radiance()[i];
-            assertThat(frame.radiance()[i]).as("channel %d", i).isNotNaN();
-            differences += Math.abs(frame.radiance()[i] - right) > Math.max(1, right) / 255 ? 1 : 0;
+        for (int i = 0; i < expected.length; i++) {
+            float right = expected[i];
+            assertThat(values[i]).as("channel %d", i).isNotNaN();
+            differences += Math.abs(values[i] - right) > Math.max(1, Math.abs(right)) / 255 ? 1 : 0;
         }
-        assertThat(differences).isLessThanOrEqualTo((input.width() * input.rows() + 4999) / 5000);
+        assertThat(differences).isLessThanOrEqualTo((expected.length / 3 + 4999) / 5000);
     }
 
     private static int[] draw(FrameInput input) {

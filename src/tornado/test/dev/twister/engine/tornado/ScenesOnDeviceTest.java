@@ -9,6 +9,7 @@ import dev.twister.oracle.RandomLights;
 import dev.twister.oracle.RandomMaterials;
 import dev.twister.oracle.RandomMeshes;
 import dev.twister.oracle.RandomScenes;
+import dev.twister.oracle.SurfacesInOnePlaceTest;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
@@ -111,6 +112,23 @@ class ScenesOnDeviceTest {
                 pixels += input.width() * input.rows();
             }
             assertThat(differences).as("of %d pixels in ten pictures", pixels).isLessThanOrEqualTo(2 + pixels / 5000);
+        }
+    }
+
+    /** Rays that leave one of several surfaces in one place, and glass on a table, without speckles. */
+    @ParameterizedTest(name = "on {0}")
+    @MethodSource("offers")
+    void surfacesInOnePlaceLookTheSame(EngineOffer offer) {
+        try (Engine engine = offer.opener().get()) {
+            int differences = 0;
+            int pixels = 0;
+            for (SurfacesInOnePlaceTest.Pair pair :
+                    SurfacesInOnePlaceTest.pairs().toList()) {
+                FrameInput input = pair.coincident().world().snapshot();
+                differences += Pictures.differences(engine, input);
+                pixels += input.width() * input.rows();
+            }
+            assertThat(differences).as("of %d pixels", pixels).isLessThanOrEqualTo(2 + pixels / 5000);
         }
     }
 

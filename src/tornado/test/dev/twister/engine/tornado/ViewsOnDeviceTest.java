@@ -11,6 +11,7 @@ import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Named;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -36,6 +37,28 @@ class ViewsOnDeviceTest {
                     .withSamplesPerPixel(2));
             try (Engine engine = offer.opener().get()) {
                 Pictures.requireSequentialsRadiance(engine, world.snapshot().showing(picture));
+            }
+        }
+    }
+
+    static Stream<Named<EngineOffer>> devices() {
+        return Devices.namedOffers().stream();
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("devices")
+    void guidesAreSequentials(EngineOffer offer) {
+        for (String name : new String[] {"cornell", "glass"}) {
+            Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
+            SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
+            World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
+            world.setSettings(scene.rendering()
+                    .withSize(80, 45)
+                    .withShadows(4)
+                    .withBounces(3)
+                    .withSamplesPerPixel(2));
+            try (Engine engine = offer.opener().get()) {
+                Pictures.requireSequentialsRadiance(engine, world.snapshot().withGuides());
             }
         }
     }

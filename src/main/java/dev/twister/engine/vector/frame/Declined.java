@@ -4,6 +4,7 @@ import dev.twister.engine.vector.lanes.BodyList;
 import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
+import dev.twister.kernel.Variant;
 import dev.twister.world.FrameInput;
 import java.util.function.IntPredicate;
 
@@ -26,6 +27,7 @@ public final class Declined {
 
     private boolean[] declined = {};
     private float[] looks = {};
+    private int maps;
     private int count;
     private int end;
     private boolean crowded;
@@ -35,8 +37,9 @@ public final class Declined {
     /**
      * Declines nothing until {@code take} is called.
      *
-     * @param bodies the bodies to decline in addition to those that emit or are metallic, to transmitting bodies in a
-     *     crowd and to meshes that transmit or have a texture
+     * @param bodies the bodies to decline in addition to those that emit, are metallic or have normal, roughness,
+     *     emission or other maps, to transmitting bodies in a crowd and to meshes that transmit or have a texture or
+     *     vertex colors
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
@@ -52,12 +55,14 @@ public final class Declined {
             count = input.bodyCount();
             end = input.bodyEnd();
             crowded = walk;
+            maps = input.bodies().textures();
             takeBodies(input.bodies().firstMesh());
         }
         int toneMap = (int) input.view().frame()[Layout.TONE_MAP];
         frame = input.aspect() != Aspect.FULL
                 || input.tracesPaths()
                 || input.hasSeveralLights()
+                || (input.variant(false) & Variant.MASKS) != 0
                 || toneMap < Tone.CLAMP
                 || toneMap > Tone.ACES
                 || occluders.count > MOST_OCCLUDERS
@@ -94,7 +99,7 @@ public final class Declined {
         any = false;
         for (int body = 0; body < count; body++) {
             boolean transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
-            declined[body] = bodies.test(body) || (transmits && crowded) || isTintedOrEmits(body);
+            declined[body] = bodies.test(body) || (transmits && crowded) || isTintedOrEmits(body) || hasMaps(body);
             any |= declined[body];
             if (declined[body] && body >= Layout.FIRST_SPHERE) {
                 occluders.add(body);
@@ -104,7 +109,7 @@ public final class Declined {
             declined[body] = bodies.test(body)
                     || isTintedOrEmits(body)
                     || looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0
-                    || looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TEXTURE] > 0;
+                    || looks[Layout.LOOK_STRIDE * body + Layout.LOOK_MAPS] > 0;
             any |= declined[body];
         }
     }
@@ -118,6 +123,17 @@ public final class Declined {
         float metallic = looks[look + Layout.LOOK_METALLIC];
         boolean tinted = metallic != 0 && metallic != -1;
         return body != Layout.LIGHT && (tinted || emission > 0);
+    }
+
+    /** Whether it has maps besides a texture: of emission, roughness, metal, normals, occlusion or transmission. */
+    private boolean hasMaps(int body) {
+        int number = (int) looks[Layout.LOOK_STRIDE * body + Layout.LOOK_MAPS];
+        int row = maps + Layout.MAPS_STRIDE * (number - 1);
+        boolean found = false;
+        for (int map = Layout.MAPS_EMISSION; map < Layout.MAPS_ALPHA && number > 0; map += Layout.MAPS_EMISSION) {
+            found |= looks[row + map + Layout.MAP_WIDTH] > 0;
+        }
+        return found || (number > 0 && looks[row + Layout.MAPS_UNLIT] > 0);
     }
 
     /** Whether view rays may start inside a declined body that transmits; lanes do not see it from there. */

@@ -9,7 +9,7 @@ public final class Looks {
     /** First and number of the properties that lanes read: from the roughness to the texture. */
     public static final int FIRST = Layout.LOOK_ROUGHNESS;
 
-    public static final int COUNT = Layout.LOOK_TEXTURE + 1 - FIRST;
+    public static final int COUNT = Layout.LOOK_MAPS + 1 - FIRST;
 
     /** {@link Layout#LOOK_STRIDE} floats per body. */
     public float[] values = {};
@@ -48,7 +48,7 @@ public final class Looks {
         rough = false;
         transparent = false;
         for (int body = 0; body < bodies; body++) {
-            textured |= look(body, Layout.LOOK_TEXTURE) > 0f;
+            textured |= look(body, Layout.LOOK_MAPS) > 0f;
             rough |= look(body, Layout.LOOK_ROUGHNESS) > 0f;
             transparent |= transmits(body);
             for (int look = 0; look < COUNT && bodies <= Lanes.COUNT; look++) {

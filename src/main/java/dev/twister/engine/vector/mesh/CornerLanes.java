@@ -4,6 +4,7 @@ import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.MeshSurface;
+import dev.twister.kernel.Triangle;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
@@ -73,7 +74,8 @@ final class CornerLanes {
      *
      * @param rows start of the rows of the mesh-to-world transform in the hierarchy
      */
-    static void findPoints(Tile tile, int at, float[] corners, long lanes, float[] hierarchy, int rows) {
+    static void findPoints(
+            Tile tile, int at, float[] corners, long lanes, float[] hierarchy, int rows, float planeHeight) {
         FloatVector b = FloatVector.fromArray(Lanes.FLOATS, corners, PART_B);
         FloatVector c = FloatVector.fromArray(Lanes.FLOATS, corners, PART_C);
         for (int axis = 0; axis < 3; axis++) {
@@ -99,6 +101,27 @@ final class CornerLanes {
                     .add(hierarchy[row + 3]);
             FloatVector.fromArray(Lanes.FLOATS, t, to).blend(coordinate, here).intoArray(t, to);
         }
+        ontoPlane(t, at + Tile.POINT_X + Tile.SIZE, corners, here, hierarchy, rows + 4, planeHeight);
+    }
+
+    /** Moves heights that rounding cannot tell from the plane's to that, as {@code MeshSurface} does. */
+    private static void ontoPlane(
+            float[] t, int to, float[] corners, VectorMask<Float> here, float[] hierarchy, int row, float height) {
+        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, t, to);
+        FloatVector slack = FloatVector.fromArray(Lanes.FLOATS, corners, NORMAL)
+                .mul(hierarchy[row])
+                .abs()
+                .add(FloatVector.fromArray(Lanes.FLOATS, corners, NORMAL + Lanes.COUNT)
+                        .mul(hierarchy[row + 1])
+                        .abs())
+                .add(FloatVector.fromArray(Lanes.FLOATS, corners, NORMAL + 2 * Lanes.COUNT)
+                        .mul(hierarchy[row + 2])
+                        .abs())
+                .add(Math.abs(hierarchy[row + 3]) + Math.abs(height))
+                .mul(Triangle.ROUNDING);
+        VectorMask<Float> on =
+                y.sub(height).abs().compare(VectorOperators.LE, slack).and(here);
+        y.blend(height, on).intoArray(t, to);
     }
 
     /** Writes the face normals in the mesh's coordinates, scaled so that the largest component is 1. */

@@ -36,6 +36,27 @@ final class InstanceLanes {
                     .intoArray(r, PacketWalk.DIRECTION + axis * Lanes.COUNT);
         }
         FloatVector.fromArray(Lanes.FLOATS, f, PacketWalk.END).intoArray(r, PacketWalk.END);
+        reach(from, to, hierarchy, rows);
+    }
+
+    /** Writes {@link Instance#reach} of the origins, the largest of the three coordinates. */
+    private static void reach(PacketWalk from, PacketWalk to, float[] hierarchy, int rows) {
+        float[] f = from.rays;
+        FloatVector x =
+                FloatVector.fromArray(Lanes.FLOATS, f, PacketWalk.ORIGIN).abs();
+        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, f, PacketWalk.ORIGIN + Lanes.COUNT)
+                .abs();
+        FloatVector z = FloatVector.fromArray(Lanes.FLOATS, f, PacketWalk.ORIGIN + 2 * Lanes.COUNT)
+                .abs();
+        FloatVector largest = FloatVector.broadcast(Lanes.FLOATS, 0f);
+        for (int row = rows; row < rows + 12; row += 4) {
+            FloatVector sum = x.mul(Math.abs(hierarchy[row]))
+                    .add(y.mul(Math.abs(hierarchy[row + 1])))
+                    .add(z.mul(Math.abs(hierarchy[row + 2])))
+                    .add(Math.abs(hierarchy[row + 3]));
+            largest = Lanes.larger(largest, sum);
+        }
+        largest.intoArray(to.rays, PacketWalk.REACH);
     }
 
     /**

@@ -73,7 +73,7 @@ public final class MeshHits {
                 int axis = Integer.numberOfTrailingZeros(rest);
                 int triangle = TriangleLanes.next(tile, mesh, triangles, from, end, axis);
                 while (triangle < end) {
-                    long close = TriangleLanes.keepNearest(tile, mesh, at, axis, triangle, number, body);
+                    long close = TriangleLanes.keepNearest(tile, mesh, at, axis, triangles, triangle, number, body);
                     if (close != 0L) {
                         CoincidentHits.decide(drawing, tile, bench, at, close, triangle, number);
                     }

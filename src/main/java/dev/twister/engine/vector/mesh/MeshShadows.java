@@ -109,7 +109,7 @@ public final class MeshShadows {
                 int axis = Integer.numberOfTrailingZeros(rest);
                 int triangle = TriangleLanes.next(tile, mesh, triangles, from, end, axis);
                 while (triangle < end) {
-                    met |= TriangleLanes.block(tile, mesh, axis, triangle);
+                    met |= TriangleLanes.block(tile, mesh, axis, triangles, triangle);
                     triangle = TriangleLanes.next(tile, mesh, triangles, triangle + 1, end, axis);
                 }
             }

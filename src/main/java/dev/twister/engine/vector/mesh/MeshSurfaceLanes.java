@@ -58,7 +58,14 @@ public final class MeshSurfaceLanes {
         boolean smooth = hierarchy[instance + Layout.INSTANCE_NORMALS] > 0f;
         fetch(tile.values, bodies.meshes(), bench.corners, at, lanes, Instance.triangles(hierarchy, instance));
         CornerLanes.weigh(tile, mesh, bench.corners);
-        CornerLanes.findPoints(tile, at, bench.corners, lanes, hierarchy, instance + Layout.INSTANCE_TO_WORLD);
+        CornerLanes.findPoints(
+                tile,
+                at,
+                bench.corners,
+                lanes,
+                hierarchy,
+                instance + Layout.INSTANCE_TO_WORLD,
+                bodies.center(Layout.PLANE, 1));
         CornerLanes.findFaces(tile, bench.corners);
         CornerLanes.turnNormals(tile, at, bench.corners, Tile.FACE_X, lanes, hierarchy, instance);
         if (smooth) {

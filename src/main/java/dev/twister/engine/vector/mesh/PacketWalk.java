@@ -45,7 +45,10 @@ final class PacketWalk {
     /** Distance of the current triangle, in lanes that meet it at the ray's end. */
     static final int MET = ORIGIN + 27 * Lanes.COUNT;
 
-    private static final int LENGTH = ORIGIN + 28 * Lanes.COUNT;
+    /** {@link Layout#MESH_REACH} of each ray. */
+    static final int REACH = ORIGIN + 28 * Lanes.COUNT;
+
+    private static final int LENGTH = ORIGIN + 29 * Lanes.COUNT;
 
     final float[] rays = new float[LENGTH];
 

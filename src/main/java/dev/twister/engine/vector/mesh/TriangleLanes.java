@@ -92,10 +92,12 @@ final class TriangleLanes {
     /**
      * Shortens the rays of the given axis that hit the current triangle before their ends, and writes it as their hit.
      *
+     * @param triangles place of the mesh's first triangle
      * @return one bit per ray that the triangle meets at its end, as closely as {@link Coincidence#TOLERANCE}; those
      *     are unchanged, with the distance in {@link PacketWalk#MET}
      */
-    static long keepNearest(Tile tile, PacketWalk walk, int at, int axis, int triangle, int instance, int body) {
+    static long keepNearest(
+            Tile tile, PacketWalk walk, int at, int axis, int triangles, int triangle, int instance, int body) {
         float[] t = tile.values;
         float[] r = walk.rays;
         FloatVector a = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AREA_A);
@@ -108,14 +110,18 @@ final class TriangleLanes {
                 .or(b.compare(VectorOperators.GT, 0f))
                 .or(c.compare(VectorOperators.GT, 0f));
         FloatVector sum = a.add(b).add(c);
-        FloatVector distance = a.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_A))
+        FloatVector volume = a.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_A))
                 .add(b.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_B)))
-                .add(c.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_C)))
-                .div(sum)
-                .mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.LONGEST_INVERSE));
+                .add(c.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_C)));
+        FloatVector distance = volume.div(sum).mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.LONGEST_INVERSE));
+        int place = triangles + Layout.TRIANGLE_STRIDE * triangle;
+        FloatVector slack = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.REACH)
+                .add(Triangle.largest(place, walk.boxes))
+                .mul(Triangle.slack(place, walk.boxes));
         FloatVector end = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.END);
         VectorMask<Float> met = distance.compare(VectorOperators.LE, end.mul(1f + Coincidence.TOLERANCE))
                 .and(distance.compare(VectorOperators.GT, 0f))
+                .and(volume.abs().compare(VectorOperators.GT, slack))
                 .and(sum.compare(VectorOperators.NE, 0f))
                 .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AXIS).compare(VectorOperators.EQ, axis))
                 .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.IGNORED).compare(VectorOperators.NE, triangle))
@@ -140,8 +146,12 @@ final class TriangleLanes {
         return close.toLong();
     }
 
-    /** Ends the rays of the given axis that hit the current triangle; returns one bit per ended ray. */
-    static long block(Tile tile, PacketWalk walk, int axis, int triangle) {
+    /**
+     * Ends the rays of the given axis that hit the current triangle; returns one bit per ended ray.
+     *
+     * @param triangles place of the mesh's first triangle
+     */
+    static long block(Tile tile, PacketWalk walk, int axis, int triangles, int triangle) {
         float[] r = walk.rays;
         FloatVector a = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AREA_A);
         FloatVector b = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AREA_B);
@@ -153,14 +163,18 @@ final class TriangleLanes {
                 .or(b.compare(VectorOperators.GT, 0f))
                 .or(c.compare(VectorOperators.GT, 0f));
         FloatVector sum = a.add(b).add(c);
-        FloatVector distance = a.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_A))
+        FloatVector volume = a.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_A))
                 .add(b.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_B)))
-                .add(c.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_C)))
-                .div(sum)
-                .mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.LONGEST_INVERSE));
+                .add(c.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_C)));
+        FloatVector distance = volume.div(sum).mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.LONGEST_INVERSE));
+        int place = triangles + Layout.TRIANGLE_STRIDE * triangle;
+        FloatVector slack = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.REACH)
+                .add(Triangle.largest(place, walk.boxes))
+                .mul(Triangle.slack(place, walk.boxes));
         FloatVector end = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.END);
         VectorMask<Float> met = distance.compare(VectorOperators.LT, end)
                 .and(distance.compare(VectorOperators.GT, 0f))
+                .and(volume.abs().compare(VectorOperators.GT, slack))
                 .and(sum.compare(VectorOperators.NE, 0f))
                 .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AXIS).compare(VectorOperators.EQ, axis))
                 .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.IGNORED).compare(VectorOperators.NE, triangle))

@@ -111,10 +111,10 @@ public final class TextureLanes {
         int textures = drawing.input.bodies().textures();
         for (int k = 0; k < tile.lonely.count; k++) {
             int pixel = tile.lonely.pixels[k];
-            int at = textures + Layout.TEXTURE_STRIDE * ((int) t[pixel + Tile.TEXTURE] - 1);
-            tile.texels[pixel] = Layout.ALIGNMENT * (int) looks[at + Layout.TEXTURE_START];
-            t[pixel + Tile.TEXTURE_WIDTH] = looks[at + Layout.TEXTURE_WIDTH];
-            t[pixel + Tile.TEXTURE_HEIGHT] = looks[at + Layout.TEXTURE_HEIGHT];
+            int at = textures + Layout.MAPS_STRIDE * ((int) t[pixel + Tile.TEXTURE] - 1);
+            tile.texels[pixel] = Layout.ALIGNMENT * (int) looks[at + Layout.MAPS_COLOR + Layout.MAP_START];
+            t[pixel + Tile.TEXTURE_WIDTH] = looks[at + Layout.MAPS_COLOR + Layout.MAP_WIDTH];
+            t[pixel + Tile.TEXTURE_HEIGHT] = looks[at + Layout.MAPS_COLOR + Layout.MAP_HEIGHT];
         }
     }
 

@@ -1,0 +1,61 @@
+package dev.twister.cli;
+
+import dev.twister.denoise.DenoiserOffer;
+import dev.twister.denoise.Denoisers;
+import dev.twister.render.Finishing;
+import dev.twister.world.Picture;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** Options for removing noise. */
+final class DenoisingOptions {
+    @Option(
+            names = "--denoise",
+            description =
+                    "Remove the noise by the library Open Image Denoise, see 'twister devices'. An .exr file keeps the"
+                            + " noisy picture and the guides as layers.")
+    private boolean denoise;
+
+    @Option(
+            names = "--guides",
+            description =
+                    "Add the guides of denoising to an .exr file: albedo and normal behind mirrors and clear glass,"
+                            + " for 'twister denoise' and 'twister join --denoise'.")
+    private boolean guides;
+
+    boolean isOn() {
+        return denoise;
+    }
+
+    /** Rejects options that exclude denoising. */
+    void check(Path output, List<Picture> pictures, PartOptions part) {
+        if ((denoise || guides) && pictures.stream().noneMatch(Finishing::isFull)) {
+            throw new BadInputException((denoise ? "--denoise" : "--guides")
+                    + " needs the full picture; add the view beauty, or leave --stage and --view out");
+        }
+        if (denoise && part.areGiven()) {
+            throw new BadInputException(
+                    "--denoise needs the whole picture; give --guides here, and --denoise to" + " 'twister join'");
+        }
+        if (guides && !OutputFile.endsIn(output, ".exr")) {
+            throw new BadInputException("--output is " + output + ", but --guides needs an .exr file");
+        }
+    }
+
+    /**
+     * What the options ask for.
+     *
+     * @throws dev.twister.denoise.DenoiseException if there is no denoiser
+     */
+    Finishing finishing(boolean autoExposure) {
+        return new Finishing(autoExposure, guides, denoise ? Optional.of(offer()) : Optional.empty());
+    }
+
+    private static DenoiserOffer offer() {
+        DenoiserOffer offer = Denoisers.offer();
+        offer.check();
+        return offer;
+    }
+}

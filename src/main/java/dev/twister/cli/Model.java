@@ -1,0 +1,73 @@
+package dev.twister.cli;
+
+import dev.twister.mesh.MeshFile;
+import dev.twister.mesh.MeshPose;
+import dev.twister.mesh.MeshReader;
+import dev.twister.mesh.MeshStage;
+import dev.twister.scene.Ground;
+import dev.twister.scene.Rendering;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.sky.ShippedSky;
+import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
+import dev.twister.world.World;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+
+/**
+ * A mesh file that a command is given, and the scene to look at it in.
+ *
+ * @param scene the mesh on the checkered plane, under the day sky
+ * @param content what was read from the file
+ */
+record Model(Scene scene, MeshFile content) {
+    private static final List<String> ENDINGS = List.of(".obj", ".gltf", ".glb", ".ply", ".stl");
+
+    private static final int SAMPLES = 4;
+    private static final int SHADOW_SAMPLES = 8;
+
+    private static final Ground OUT_OF_SIGHT = Ground.of(1, -1000, new Rgb(0, 0, 0), new Rgb(0, 0, 0), 0);
+
+    /** Whether a file is a mesh by its name. */
+    static boolean isNamed(Path file) {
+        String name = file.toString().toLowerCase(Locale.ROOT);
+        return ENDINGS.stream().anyMatch(name::endsWith);
+    }
+
+    /**
+     * Reads the mesh.
+     *
+     * @param warnings told of what the file says and is not used
+     * @throws dev.twister.mesh.MeshException if the file cannot be read
+     */
+    static Model read(Path file, MeshPose pose, Consumer<String> warnings) {
+        Path mesh = file.toAbsolutePath().normalize();
+        MeshFile content = MeshReader.read(mesh, MeshStage.SMOOTH_DEGREES, warnings);
+        Path sky = Home.skyboxes().resolve(ShippedSky.DAY.fileName());
+        return new Model(MeshStage.of(mesh, content, sky.toAbsolutePath().normalize(), pose), content);
+    }
+
+    /** The same with smooth edges. */
+    Model forPictures() {
+        Rendering settings = scene.rendering().withSamplesPerPixel(SAMPLES).withShadows(SHADOW_SAMPLES);
+        return new Model(scene.withRendering(settings), content);
+    }
+
+    /** The same without the plane. */
+    Model withoutPlane() {
+        return new Model(scene.withGround(OUT_OF_SIGHT), content);
+    }
+
+    /**
+     * The world of this scene, whose pictures are read as {@link SceneImages#read} does.
+     *
+     * @param shown the scene with other settings, camera or sky
+     */
+    World world(Scene shown, Consumer<String> warnings) {
+        SceneMeshes meshes = SceneMeshes.of(shown, _ -> content);
+        return World.of(shown, SceneImages.read(shown, meshes, warnings), meshes);
+    }
+}

@@ -1,0 +1,48 @@
+package dev.twister.cli;
+
+import dev.twister.mesh.MeshPose;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Vector3;
+import java.util.List;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** How a mesh file that is given instead of a scene stands. */
+final class ModelOptions {
+    private static final int ANGLES = 3;
+
+    @Option(
+            names = "--up",
+            paramLabel = "AXIS",
+            description = "For a mesh file: the axis that points up, y or z. Default: z for STL, else y.")
+    private Optional<MeshPose.Up> up = Optional.empty();
+
+    @Option(
+            names = "--rotate",
+            paramLabel = "DEGREES",
+            split = ",",
+            description = "For a mesh file: rotate it by YAW, or by YAW,PITCH,ROLL.")
+    private List<Double> angles = List.of();
+
+    boolean areGiven() {
+        return up.isPresent() || !angles.isEmpty();
+    }
+
+    /**
+     * The pose of the mesh.
+     *
+     * @throws BadInputException if the number of angles is wrong, or one is out of range
+     */
+    MeshPose pose() {
+        if (!angles.isEmpty() && angles.size() != 1 && angles.size() != ANGLES) {
+            throw new BadInputException(
+                    "--rotate has " + angles.size() + " angles; give YAW, or YAW,PITCH,ROLL in degrees");
+        }
+        return new MeshPose(up, new Vector3(angle(1), angle(0), angle(2)));
+    }
+
+    private double angle(int index) {
+        double angle = index < angles.size() ? angles.get(index) : 0;
+        return Ranges.check("--rotate", angle, SceneLimits.ROTATION.min(), SceneLimits.ROTATION.max());
+    }
+}

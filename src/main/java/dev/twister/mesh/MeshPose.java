@@ -1,0 +1,44 @@
+package dev.twister.mesh;
+
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Vector3;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/**
+ * How a mesh stands, before anything is said of its place.
+ *
+ * @param up the axis of the file that points up; empty for the one of its format
+ * @param rotation applied then, in degrees: pitch as x, yaw as y, roll as z
+ */
+public record MeshPose(Optional<Up> up, Vector3 rotation) {
+    /** As the file has it. */
+    public static final MeshPose OF_FILE = new MeshPose(Optional.empty(), Vector3.ZERO);
+
+    private static final double QUARTER_TURN = 90;
+
+    /** An axis of a file. */
+    public enum Up {
+        Y,
+        Z
+    }
+
+    /** The rotation of the mesh in a scene, as {@link Mesh#rotation}. */
+    Vector3 rotation(Path file) {
+        double pitch = up.map(axis -> pitch(axis, MeshReader.hasZUp(file))).orElse(0.0);
+        if (pitch == 0) {
+            return rotation;
+        }
+        return MeshPlacement.angles(turn(file, rotation).of(turn(file, new Vector3(pitch, 0, 0))));
+    }
+
+    private static double pitch(Up wanted, boolean zUp) {
+        double toY = zUp ? -QUARTER_TURN : 0;
+        double toZ = zUp ? 0 : QUARTER_TURN;
+        return wanted == Up.Z ? toZ : toY;
+    }
+
+    private static Affine turn(Path file, Vector3 angles) {
+        return MeshPlacement.of(Mesh.of(file).withRotation(angles));
+    }
+}

@@ -1,0 +1,39 @@
+package dev.twister.render;
+
+import dev.twister.denoise.DenoiserOffer;
+import dev.twister.world.Picture;
+import java.util.Optional;
+
+/**
+ * What is done beside rendering samples.
+ *
+ * @param autoExposure whether the first picture of the film sets the exposure; no effect on linear files
+ * @param guides whether an .exr file gets the guides of denoising as layers
+ * @param denoiser removes the noise of the full picture; an .exr file then has the noisy picture and the guides as
+ *     layers
+ */
+public record Finishing(boolean autoExposure, boolean guides, Optional<DenoiserOffer> denoiser) {
+    /** Nothing. */
+    public static final Finishing NONE = new Finishing(false, false, Optional.empty());
+
+    /** Whether a picture is rendered with guides. */
+    boolean guides(Picture picture) {
+        return isFull(picture) && (guides || denoiser.isPresent());
+    }
+
+    /** Whether a picture has light over all its bounces, which can be denoised. */
+    public static boolean isFull(Picture picture) {
+        return picture == Picture.BEAUTY || picture == Picture.REFLECTIONS;
+    }
+
+    /** For metadata of files. */
+    String text() {
+        return (guides ? " guides" : "") + (denoiser.isPresent() ? " denoised" : "");
+    }
+
+    /** Memory for guides and denoising, in bytes per pixel. */
+    long bytesPerPixel() {
+        long guided = guides || denoiser.isPresent() ? 2 : 0;
+        return (guided + (denoiser.isPresent() ? 2 : 0)) * BandedDrawing.bytesPerPixel(true);
+    }
+}

@@ -1,0 +1,76 @@
+package dev.twister.scene;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * The maps of a material besides its texture.
+ *
+ * @param texture how the material's texture is read
+ * @param emission multiplies the emission
+ * @param roughness its green channel multiplies the roughness
+ * @param metallic its blue channel multiplies the metallic part
+ * @param normal normals in tangent space, as glTF has them, or heights if it is gray
+ * @param occlusion its red channel multiplies the ambient light
+ * @param transmission its red channel multiplies the transmission
+ * @param alpha its red channel is the opacity; without it, that is the texture's alpha channel
+ */
+public record Maps(
+        Sampler texture,
+        Optional<ImageMap> emission,
+        Optional<ImageMap> roughness,
+        Optional<ImageMap> metallic,
+        Optional<ImageMap> normal,
+        Optional<ImageMap> occlusion,
+        Optional<ImageMap> transmission,
+        Optional<ImageMap> alpha) {
+    public static final Maps NONE = new Maps(
+            Sampler.DEFAULT,
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty());
+
+    /** Those that it has. */
+    public List<ImageMap> all() {
+        return Stream.of(emission, roughness, metallic, normal, occlusion, transmission, alpha)
+                .flatMap(Optional::stream)
+                .toList();
+    }
+
+    public Maps withTexture(Sampler newTexture) {
+        return new Maps(newTexture, emission, roughness, metallic, normal, occlusion, transmission, alpha);
+    }
+
+    public Maps withEmission(Optional<ImageMap> newEmission) {
+        return new Maps(texture, newEmission, roughness, metallic, normal, occlusion, transmission, alpha);
+    }
+
+    public Maps withRoughness(Optional<ImageMap> newRoughness) {
+        return new Maps(texture, emission, newRoughness, metallic, normal, occlusion, transmission, alpha);
+    }
+
+    public Maps withMetallic(Optional<ImageMap> newMetallic) {
+        return new Maps(texture, emission, roughness, newMetallic, normal, occlusion, transmission, alpha);
+    }
+
+    public Maps withNormal(Optional<ImageMap> newNormal) {
+        return new Maps(texture, emission, roughness, metallic, newNormal, occlusion, transmission, alpha);
+    }
+
+    public Maps withOcclusion(Optional<ImageMap> newOcclusion) {
+        return new Maps(texture, emission, roughness, metallic, normal, newOcclusion, transmission, alpha);
+    }
+
+    public Maps withTransmission(Optional<ImageMap> newTransmission) {
+        return new Maps(texture, emission, roughness, metallic, normal, occlusion, newTransmission, alpha);
+    }
+
+    public Maps withAlpha(Optional<ImageMap> newAlpha) {
+        return new Maps(texture, emission, roughness, metallic, normal, occlusion, transmission, newAlpha);
+    }
+}

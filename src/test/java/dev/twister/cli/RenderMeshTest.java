@@ -1,0 +1,135 @@
+package dev.twister.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class RenderMeshTest {
+    private static final String TRIANGLE = "v -1 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n";
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void aMeshIsShownAsInView() throws IOException {
+        Path mesh = Files.writeString(folder.resolve("a.obj"), TRIANGLE);
+        Path scene = folder.resolve("a.json");
+        assertThat(Outcome.of("view", mesh.toString(), "-o", scene.toString()).exitCode())
+                .isZero();
+
+        byte[] direct = bytes(render(mesh.toString(), "a.png"));
+        byte[] viewed = bytes(render(scene.toString(), "b.png", "--samples", "4", "--shadow-samples", "8"));
+
+        assertThat(direct).isEqualTo(viewed);
+    }
+
+    @Test
+    void withoutABackgroundItIsCutOut() throws IOException {
+        Path mesh = Files.writeString(folder.resolve("a.obj"), TRIANGLE);
+        BufferedImage picture = ImageIO.read(
+                render(mesh.toString(), "a.png", "--background", "none").toFile());
+
+        assertThat(alpha(picture, 0, 0)).isZero();
+        assertThat(alpha(picture, 31, 17)).isZero();
+        assertThat(alpha(picture, 16, 9)).isEqualTo(255);
+        List<Integer> edges = new ArrayList<>();
+        for (int x = 0; x < picture.getWidth(); x++) {
+            edges.add(alpha(picture, x, 9));
+        }
+        // Four samples per pixel.
+        assertThat(edges).containsAnyOf(64, 128, 191);
+    }
+
+    /** The color of a pixel that a body covers in part is the body's alone. */
+    @Test
+    void theSkyIsNotInTheColorsOfEdges() throws IOException {
+        Path mesh = Files.writeString(folder.resolve("a.obj"), "mtllib a.mtl\nusemtl black\n" + TRIANGLE);
+        Files.writeString(folder.resolve("a.mtl"), "newmtl black\nKd 0 0 0\nKs 0 0 0\n");
+        BufferedImage picture = ImageIO.read(
+                render(mesh.toString(), "a.png", "--background", "none").toFile());
+
+        for (int pixel = 0; pixel < 32 * 18; pixel++) {
+            assertThat(picture.getRGB(pixel % 32, pixel / 32) & 0xFFFFFF).isZero();
+        }
+    }
+
+    @Test
+    void aFolderBecomesOnePictureEachAndGoesOnAfterFailures() throws IOException {
+        Files.writeString(folder.resolve("a.obj"), TRIANGLE);
+        Files.writeString(folder.resolve("b.obj"), "v 0 0 zero\n");
+        Files.writeString(folder.resolve("c.obj"), TRIANGLE);
+        Path pictures = folder.resolve("new/pictures");
+
+        Outcome outcome = Outcome.of("render", folder.toString(), "-o", pictures.toString(), "--size", "8x8");
+
+        assertThat(outcome.exitCode()).isEqualTo(2);
+        assertThat(pictures.toFile().list()).containsExactlyInAnyOrder("a.png", "c.png");
+        assertThat(outcome.err()).startsWith("twister: " + folder.resolve("b.obj") + ":1: ");
+        assertThat(outcome.out().lines().toList().reversed().subList(0, 4).reversed())
+                .first()
+                .isEqualTo("Pictures in " + pictures + ": 2, failed: 1");
+        assertThat(outcome.out()).contains("  a.obj -> a.png", "  b.obj -> failed: ", "  c.obj -> c.png");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            benchmark | a.png | --up z | --up and --rotate are for mesh files
+            benchmark | a.exr | --background none | --background none needs a .png file
+            benchmark | a.png | --background none --view normal | --background none needs a .png file
+            benchmark | a.png | --background none --noise 0.1 | --background none excludes --noise
+            benchmark | a.png | --background blue | unknown value 'blue'; expected one of: sky, none
+            . | a.png | --up z | --output is
+            a.obj | a.png | --rotate 1,2 | --rotate has 2 angles
+            """)
+    void refuses(String scene, String picture, String options, String message) throws IOException {
+        Files.writeString(folder.resolve("a.obj"), TRIANGLE);
+        Path file = folder.resolve(scene);
+        List<String> arguments = new ArrayList<>(List.of(
+                "render",
+                Files.exists(file) ? file.toString() : scene,
+                "-o",
+                folder.resolve(picture).toString()));
+        arguments.addAll(List.of(options.split(" ")));
+
+        Outcome outcome = Outcome.of(arguments.toArray(String[]::new));
+
+        assertThat(outcome.err()).contains(message);
+        assertThat(outcome.exitCode()).isEqualTo(2);
+    }
+
+    private Path render(String scene, String name, String... options) {
+        Path file = folder.resolve(name);
+        List<String> arguments = new ArrayList<>(
+                List.of("render", scene, "-o", file.toString(), "--size", "32x18", "--engine", "sequential"));
+        arguments.addAll(List.of(options));
+        Outcome outcome = Outcome.of(arguments.toArray(String[]::new));
+        assertThat(outcome.err()).isEmpty();
+        return file;
+    }
+
+    private static byte[] bytes(Path file) throws IOException {
+        BufferedImage picture = ImageIO.read(file.toFile());
+        byte[] bytes = new byte[3 * picture.getWidth() * picture.getHeight()];
+        for (int pixel = 0; pixel < bytes.length / 3; pixel++) {
+            int rgb = picture.getRGB(pixel % picture.getWidth(), pixel / picture.getWidth());
+            bytes[3 * pixel] = (byte) (rgb >> 16);
+            bytes[3 * pixel + 1] = (byte) (rgb >> 8);
+            bytes[3 * pixel + 2] = (byte) rgb;
+        }
+        return bytes;
+    }
+
+    private static int alpha(BufferedImage picture, int x, int y) {
+        return picture.getRGB(x, y) >>> 24;
+    }
+}

@@ -1,0 +1,59 @@
+package dev.twister.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Vector3;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class MeshPoseTest {
+    private static final String OBJ = "v -1 0 0\nv 1 0 0\nv 0 0 3\nf 1 2 3\n";
+    private static final String STL = "solid a\nfacet normal 0 0 1\nouter loop\nvertex -1 0 0\nvertex 1 0 0\n"
+            + "vertex 0 0 3\nendloop\nendfacet\nendsolid a\n";
+
+    @TempDir
+    private Path folder;
+
+    @ParameterizedTest
+    @CsvSource({"a.obj, Z, 3", "a.obj, Y, 0", "a.obj, , 0", "a.stl, Z, 3", "a.stl, Y, 0", "a.stl, , 3"})
+    void thatAxisPointsUp(String name, MeshPose.Up up, double height) {
+        MeshFile file = Reading.read(folder, name, name.endsWith(".stl") ? STL : OBJ);
+        MeshPose pose = new MeshPose(Optional.ofNullable(up), Vector3.ZERO);
+
+        Box box = file.bounds(turn(pose.rotation(folder.resolve(name))));
+
+        assertThat(box.largest().y() - box.least().y()).isCloseTo(height, within(1e-12));
+        assertThat(box.largest().x()).isCloseTo(1, within(1e-12));
+    }
+
+    @Test
+    void isRotatedAfterThat() {
+        Path file = folder.resolve("a.obj");
+        Reading.read(folder, "a.obj", OBJ);
+        Vector3 rotation = new Vector3(20, 130, -40);
+        Vector3 point = new Vector3(0.3, -1.2, 0.7);
+
+        Vector3 whole = new MeshPose(Optional.of(MeshPose.Up.Z), rotation).rotation(file);
+
+        Vector3 expected = turn(rotation).point(turn(new Vector3(90, 0, 0)).point(point));
+        assertThat(turn(whole).point(point).minus(expected).length()).isLessThan(1e-12);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"10, 20, 30", "-89, 170, -170", "90, 45, 0", "-90, -120, 0", "0, 0, 180"})
+    void anglesAreThoseOfTheRotation(double pitch, double yaw, double roll) {
+        Vector3 angles = new Vector3(pitch, yaw, roll);
+
+        assertThat(MeshPlacement.angles(turn(angles)).minus(angles).length()).isLessThan(1e-6);
+    }
+
+    private static Affine turn(Vector3 rotation) {
+        return MeshPlacement.of(Mesh.of(Path.of("a")).withRotation(rotation));
+    }
+}
