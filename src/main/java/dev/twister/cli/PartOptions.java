@@ -3,6 +3,7 @@ package dev.twister.cli;
 import dev.twister.render.PicturePart;
 import dev.twister.render.PicturePart.Samples;
 import dev.twister.render.PicturePart.Tile;
+import dev.twister.render.Sampling;
 import dev.twister.scene.Rendering;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -69,7 +70,7 @@ final class PartOptions {
     }
 
     /** Rejects options that exclude parts. */
-    void check(Path output, SampleOptions sampling) {
+    void check(Path output, SampleOptions sampling, int pictures) {
         if (!areGiven()) {
             return;
         }
@@ -77,12 +78,17 @@ final class PartOptions {
             throw new BadInputException("--output is " + output
                     + ", but --tile and --sample-range need an .exr file, which keeps all digits for 'twister join'");
         }
-        if (sampling.isNoiseGiven() || (samples.isPresent() && sampling.isGiven())) {
+        if (samples.isPresent() && sampling.isGiven()) {
+            throw new BadInputException("--samples and --sample-range exclude each other; give one of them");
+        }
+        samples.filter(range -> sampling.isNoiseGiven() && range.count() < Sampling.LEAST_CONVERGING)
+                .ifPresent(range -> {
+                    throw new BadInputException("--sample-range has " + range.count() + " samples, but --noise needs "
+                            + Sampling.LEAST_CONVERGING + " or more");
+                });
+        if (sampling.isNoiseGiven() && pictures > 1) {
             throw new BadInputException(
-                    sampling.isNoiseGiven()
-                            ? "--noise looks at the whole picture, so --tile and --sample-range exclude it; give"
-                                    + " --samples"
-                            : "--samples and --sample-range exclude each other; give one of them");
+                    "--noise with --tile or --sample-range needs one picture; --view has " + pictures);
         }
     }
 

@@ -154,7 +154,7 @@ final class RenderCommand implements Callable<Integer> {
         if (background == Background.NONE && (samples.isNoiseGiven() || denoising.isOn())) {
             throw new BadInputException("--background none excludes --noise and --denoise; give --samples");
         }
-        part.check(output, samples);
+        part.check(output, samples, views.pictures().size());
         denoising.check(output, views.pictures(), part);
         Optional<List<Path>> several = SeveralFiles.of(sceneName);
         if (several.isPresent()) {
@@ -320,13 +320,25 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private static String samplesOf(BandedDrawing.Drawn drawn, double bound) {
-        String samples = drawn.fewestSamples() == drawn.mostSamples()
-                ? Integer.toString(drawn.mostSamples())
-                : drawn.fewestSamples() + " to " + drawn.mostSamples();
+        double fewest = Double.MAX_VALUE;
+        double most = 0;
+        double sum = 0;
+        for (float samples : drawn.samples()) {
+            fewest = Math.min(fewest, samples);
+            most = Math.max(most, samples);
+            sum += samples;
+        }
         return String.format(
                 Locale.ROOT,
                 ", %s samples per pixel, noise %.2g%s",
-                samples,
+                fewest == most
+                        ? "%.0f".formatted(most)
+                        : String.format(
+                                Locale.ROOT,
+                                "%.0f to %.0f, on average %.0f,",
+                                fewest,
+                                most,
+                                sum / drawn.samples().length),
                 drawn.noise(),
                 drawn.noise() > bound ? "; raise --samples to reach " + bound : "");
     }

@@ -21,7 +21,7 @@ final class SampleOptions {
             names = "--noise",
             paramLabel = "T",
             description = "Add samples until the estimated error of a pixel, as a share of white, is below T (such as"
-                    + " 0.01) in every part of the picture.")
+                    + " 0.01) in every tile of 16 x 16 pixels.")
     private Optional<Double> noise = Optional.empty();
 
     boolean isGiven() {

@@ -3,25 +3,37 @@ package dev.twister.engine;
 import dev.twister.engine.NoiseEstimate.Half;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
 import dev.twister.world.TonedPixels;
+import java.util.Arrays;
 import java.util.function.Consumer;
 
-/** A picture that accumulates samples until its noise is low, see {@link NoiseEstimate}. */
+/**
+ * A picture that accumulates samples until its noise is low, see {@link NoiseEstimate}. Tiles whose noise is low get no
+ * more samples. What a tile gets depends on its own pixels alone, so that it is the same in every part of a picture.
+ */
 public final class ConvergingPicture {
+    private static final int CHANNELS = 3;
+    private static final int SIDE = Layout.TILE_SIDE;
+
     /** Samples per pixel in each half of the first pass. */
     private static final int FIRST_SAMPLES = 4;
 
+    /** A tile with fewer samples is not done: light that few samples find may not have been found yet. */
+    private static final int LEAST_SAMPLES = 16;
+
     /** Limit of samples per pixel in one call of an engine, so that progress is reported. */
     private static final int MOST_AT_ONCE = 64;
-
-    /** A pass adds at least this part of the samples so far. */
-    private static final double LEAST_GROWTH = 0.125;
 
     private final FrameInput input;
     private final Frame pass;
     private final float[][] sums;
     private final float[] layers;
+    private final boolean[] wanted;
+    private final boolean[] low;
+    private final int[] samplesOfTile;
+    private double[] noise;
     private int samplesOfHalf;
     private FrameTimes times = FrameTimes.NONE;
 
@@ -30,94 +42,170 @@ public final class ConvergingPicture {
         pass = Frame.ofRadiance(input.width(), input.rows(), input.layers());
         sums = new float[2][pass.radiance().length];
         layers = new float[pass.layers().length];
+        wanted = new boolean[input.tilesAcross() * Math.ceilDiv(input.rows(), SIDE)];
+        Arrays.fill(wanted, true);
+        low = new boolean[wanted.length];
+        samplesOfTile = new int[wanted.length];
+        noise = new double[wanted.length];
     }
 
     /**
      * How far a picture has converged.
      *
-     * @param samples per pixel so far
-     * @param noise estimated standard error of the noisiest block, relative to white
+     * @param samples per pixel so far in tiles that are not done; in the end the largest number of any tile
+     * @param noise estimated standard error of the noisiest tile, relative to white
+     * @param part of the work that is done, in [0, 1], if noise falls with the square root of the samples
      */
-    public record Convergence(int samples, double noise) {
-        /**
-         * The samples per pixel that the picture takes, if noise falls with their square root.
-         *
-         * @param bound the noise to reach; 0 for all samples
-         * @param most limit of samples per pixel
-         */
-        public int expectedSamples(double bound, int most) {
-            return bound > 0 ? (int) Math.clamp(Math.ceil(samples * square(noise / bound)), samples, most) : most;
-        }
-    }
+    public record Convergence(int samples, double noise, double part) {}
 
     /**
-     * Renders a picture, or a band of rows, with as many samples as necessary.
+     * A picture that has converged.
+     *
+     * @param samplesOfTile samples of each pixel in each square of {@link Layout#TILE_SIDE} pixels, from the top left
+     */
+    @SuppressWarnings("ArrayRecordComponent") // never compared
+    public record Converged(Convergence reached, int[] samplesOfTile) {}
+
+    /**
+     * Renders a picture, or a band of rows, with as many samples as necessary, from the input's first sample on.
      *
      * @param frame receives the picture, linear or not, and the total times of all passes
-     * @param noise the noise to reach, relative to white; with 0 the picture gets all samples
+     * @param bound the noise to reach, relative to white; with 0 the picture gets all samples
      * @param mostSamples limit of samples per pixel, at least 8, even if more noise is left
      * @param watcher called after each pass
      */
-    public static Convergence draw(
+    public static Converged draw(
             Engine engine,
             FrameInput input,
             Frame frame,
-            double noise,
+            double bound,
             int mostSamples,
             Consumer<Convergence> watcher) {
         FrameFit.check(input, frame);
         ConvergingPicture picture = new ConvergingPicture(input);
-        int more = FIRST_SAMPLES;
-        Convergence reached = new Convergence(0, Double.MAX_VALUE);
-        while (more > 0 && reached.noise() > noise) {
+        int most = mostSamples / 2;
+        int more = Math.min(FIRST_SAMPLES, most);
+        Convergence reached = new Convergence(0, Double.MAX_VALUE, 0);
+        while (more > 0) {
             picture.add(engine, more);
-            reached = new Convergence(2 * picture.samplesOfHalf, picture.noise());
+            picture.estimate(bound);
+            more = picture.isDone() ? 0 : Math.min(picture.more(), most - picture.samplesOfHalf);
+            reached = picture.reached(bound, mostSamples, more == 0);
             watcher.accept(reached);
-            more = picture.more(reached.expectedSamples(noise, mostSamples) / 2, mostSamples / 2);
         }
         picture.write(frame);
-        return reached;
+        return new Converged(reached, picture.samplesOfTile);
     }
 
-    /** Samples per pixel and half of the next pass: at most as many as so far, because the estimate is rough. */
-    private int more(int expected, int most) {
-        int least = (int) Math.ceil(LEAST_GROWTH * samplesOfHalf);
-        int wanted = Math.clamp(expected - samplesOfHalf, least, samplesOfHalf);
-        return Math.min(Math.min(wanted, MOST_AT_ONCE), most - samplesOfHalf);
-    }
-
-    private static double square(double value) {
-        return value * value;
+    /** Samples per pixel and half of the next pass: half as many as so far. */
+    private int more() {
+        return Math.min(Math.ceilDiv(samplesOfHalf, 2), MOST_AT_ONCE);
     }
 
     private void add(Engine engine, int samples) {
-        int first = 2 * samplesOfHalf;
+        int first = input.firstSample() + 2 * samplesOfHalf;
         for (int half = 0; half < sums.length; half++) {
-            engine.render(input.withSamples(first + half * samples, samples), pass);
+            FrameInput sampled = input.withSamples(first + half * samples, samples);
+            engine.render(isAnyDone() ? sampled.withTiles(wanted) : sampled, pass);
             times = times.plus(pass.times());
-            for (int i = 0; i < pass.radiance().length; i++) {
-                sums[half][i] += samples * pass.radiance()[i];
-            }
-            for (int i = 0; i < layers.length; i++) {
-                layers[i] += samples * pass.layers()[i];
+            for (int tile = 0; tile < wanted.length; tile++) {
+                if (wanted[tile]) {
+                    addTile(tile, samples, pass.radiance(), 0, sums[half]);
+                    for (int layer = 0; layer < input.layers(); layer++) {
+                        addTile(tile, samples, pass.layers(), pass.firstOf(layer), layers);
+                    }
+                }
             }
         }
         samplesOfHalf += samples;
+        for (int tile = 0; tile < wanted.length; tile++) {
+            samplesOfTile[tile] = wanted[tile] ? 2 * samplesOfHalf : samplesOfTile[tile];
+        }
     }
 
-    private double noise() {
-        return new NoiseEstimate(pass.width(), input.view().frame())
-                .of(new Half(sums[0], samplesOfHalf), new Half(sums[1], samplesOfHalf));
+    private void addTile(int tile, int samples, float[] from, int plane, float[] to) {
+        forRows(tile, (first, end) -> {
+            for (int i = plane + first; i < plane + end; i++) {
+                to[i] += samples * from[i];
+            }
+        });
+    }
+
+    /** Calls for each of a tile's rows, with its first value and the one after its last. */
+    private void forRows(int tile, Span span) {
+        int left = tile % input.tilesAcross() * SIDE;
+        int top = tile / input.tilesAcross() * SIDE;
+        int right = Math.min(left + SIDE, pass.width());
+        for (int row = top; row < Math.min(top + SIDE, pass.height()); row++) {
+            span.take(CHANNELS * (row * pass.width() + left), CHANNELS * (row * pass.width() + right));
+        }
+    }
+
+    @FunctionalInterface
+    private interface Span {
+        void take(int first, int end);
+    }
+
+    /** A tile is done if its noise is low after two passes: once may be by chance. */
+    private void estimate(double bound) {
+        double[] now = new NoiseEstimate(pass.width(), input.view().frame())
+                .tiles(new Half(sums[0], samplesOfHalf), new Half(sums[1], samplesOfHalf));
+        for (int tile = 0; tile < wanted.length; tile++) {
+            if (wanted[tile]) {
+                noise[tile] = now[tile];
+                boolean before = low[tile];
+                low[tile] = bound > 0 && now[tile] <= bound;
+                wanted[tile] = !(before && low[tile] && samplesOfTile[tile] >= LEAST_SAMPLES);
+            }
+        }
+    }
+
+    private boolean isDone() {
+        boolean any = false;
+        for (boolean tile : wanted) {
+            any |= tile;
+        }
+        return !any;
+    }
+
+    private boolean isAnyDone() {
+        boolean any = false;
+        for (boolean tile : wanted) {
+            any |= !tile;
+        }
+        return any;
+    }
+
+    private Convergence reached(double bound, int most, boolean last) {
+        double done = 0;
+        double all = 0;
+        for (int tile = 0; tile < wanted.length; tile++) {
+            done += samplesOfTile[tile];
+            all += wanted[tile] ? expected(tile, bound, most) : samplesOfTile[tile];
+        }
+        double worst = Arrays.stream(noise).max().orElse(0);
+        return new Convergence(2 * samplesOfHalf, worst, last ? 1 : done / all);
+    }
+
+    /** Samples of a tile in the end, if noise falls with their square root. */
+    private double expected(int tile, double bound, int most) {
+        double ratio = noise[tile] / bound;
+        return bound > 0 ? Math.clamp(samplesOfTile[tile] * ratio * ratio, samplesOfTile[tile], most) : most;
     }
 
     private void write(Frame frame) {
-        float average = 1f / (2 * samplesOfHalf);
         float[] radiance = frame.isLinear() ? frame.radiance() : pass.radiance();
-        for (int i = 0; i < radiance.length; i++) {
-            radiance[i] = (sums[0][i] + sums[1][i]) * average;
-        }
-        for (int i = 0; i < layers.length; i++) {
-            frame.layers()[i] = layers[i] * average;
+        for (int tile = 0; tile < wanted.length; tile++) {
+            float average = 1f / samplesOfTile[tile];
+            forRows(tile, (first, end) -> {
+                for (int i = first; i < end; i++) {
+                    radiance[i] = (sums[0][i] + sums[1][i]) * average;
+                    for (int layer = 0; layer < input.layers(); layer++) {
+                        int at = pass.firstOf(layer) + i;
+                        frame.layers()[at] = layers[at] * average;
+                    }
+                }
+            });
         }
         if (!frame.isLinear()) {
             TonedPixels.write(radiance, input, frame.argb());

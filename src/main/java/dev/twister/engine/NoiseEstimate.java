@@ -2,11 +2,12 @@ package dev.twister.engine;
 
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
+import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
  * The noise of a picture whose samples form two independent halves: their difference tells the standard error of the
- * mean. It is measured in display values, as the root mean square in the noisiest block.
+ * mean. It is measured in display values, as the root mean square in a tile.
  *
  * @param width of the picture in pixels
  * @param frame the kernel's array of that name, whose exposure, tone map and sRGB curve count
@@ -15,8 +16,8 @@ import java.util.stream.IntStream;
 public record NoiseEstimate(int width, float[] frame) {
     private static final int CHANNELS = 3;
 
-    /** Side of the square blocks, in pixels. */
-    private static final int BLOCK = 16;
+    /** Side of the tiles, in pixels. */
+    private static final int BLOCK = Layout.TILE_SIDE;
 
     /**
      * The half of a picture's samples.
@@ -27,26 +28,26 @@ public record NoiseEstimate(int width, float[] frame) {
     @SuppressWarnings("ArrayRecordComponent") // never compared
     public record Half(float[] sums, int samples) {}
 
-    /** The noise of the mean of all samples, relative to white. */
+    /** The noise of the mean of all samples in the noisiest tile, relative to white. */
     public double of(Half one, Half other) {
-        int height = one.sums().length / CHANNELS / width;
-        int rows = Math.ceilDiv(height, BLOCK);
-        double worst = IntStream.range(0, rows)
-                .parallel()
-                .mapToDouble(row -> noisiest(one, other, row * BLOCK, Math.min(height, (row + 1) * BLOCK)))
-                .max()
-                .orElse(0);
-        // The variance of the mean of all samples is this part of the variance of the halves' difference.
-        double all = one.samples() + other.samples();
-        return Math.sqrt(worst * one.samples() / all * other.samples() / all);
+        return Arrays.stream(tiles(one, other)).max().orElse(0);
     }
 
-    private double noisiest(Half one, Half other, int top, int bottom) {
-        double worst = 0;
-        for (int left = 0; left < width; left += BLOCK) {
-            worst = Math.max(worst, meanSquare(one, other, left, top, bottom));
-        }
-        return worst;
+    /** The noise of the mean of all samples in each tile, from the top left, relative to white. */
+    public double[] tiles(Half one, Half other) {
+        int height = one.sums().length / CHANNELS / width;
+        int across = Math.ceilDiv(width, BLOCK);
+        // The variance of the mean of all samples is this part of the variance of the halves' difference.
+        double all = one.samples() + other.samples();
+        double part = one.samples() / all * other.samples() / all;
+        return IntStream.range(0, across * Math.ceilDiv(height, BLOCK))
+                .parallel()
+                .mapToDouble(tile -> {
+                    int top = tile / across * BLOCK;
+                    return part * meanSquare(one, other, tile % across * BLOCK, top, Math.min(height, top + BLOCK));
+                })
+                .map(Math::sqrt)
+                .toArray();
     }
 
     private double meanSquare(Half one, Half other, int left, int top, int bottom) {

@@ -13,6 +13,9 @@ import java.util.regex.Pattern;
  * single part keep their bits. Messages of exceptions are one line.
  */
 public final class JoinedPicture {
+    /** The channel with the number of samples of each pixel, if pixels have different numbers. */
+    public static final String SAMPLES = "samples.Y";
+
     private static final Pattern RANGE = Pattern.compile("(\\d{1,9})-(\\d{1,9})");
 
     private final int width;
@@ -79,11 +82,15 @@ public final class JoinedPicture {
             addTo(rows.get(row), samples, row);
         }
         int first = width * part.firstRow();
+        int counted = names.indexOf(SAMPLES);
         for (int channel = 0; channel < sums.size(); channel++) {
             float[] values = part.channels().get(channel).values();
             double[] sum = sums.get(channel);
             for (int i = 0; i < values.length; i++) {
-                sum[first + i] += (double) samples.count() * values[i];
+                double weight = counted < 0
+                        ? samples.count()
+                        : part.channels().get(counted).values()[i];
+                sum[first + i] += channel == counted ? weight : weight * values[i];
             }
         }
     }
@@ -116,8 +123,13 @@ public final class JoinedPicture {
             checkIsWhole(row, wanted);
         }
         List<ExrChannel> channels = new ArrayList<>();
+        int counted = names.indexOf(SAMPLES);
         for (int channel = 0; channel < names.size(); channel++) {
-            channels.add(new ExrChannel(names.get(channel), mean(sums.get(channel)), 0, 1));
+            float[] values = counted < 0
+                    ? mean(sums.get(channel))
+                    : weighted(
+                            sums.get(channel), channel == counted ? Optional.empty() : Optional.of(sums.get(counted)));
+            channels.add(new ExrChannel(names.get(channel), values, 0, 1));
         }
         Provenance made = new Provenance(software, picture, samples());
         return new ExrPicture(width, height, 0, height, channels, Optional.of(made));
@@ -159,6 +171,15 @@ public final class JoinedPicture {
         return all.size() == 1
                 ? all.getFirst().text()
                 : all.getFirst().first() + "-" + all.getLast().last();
+    }
+
+    /** The sums divided by the pixels' samples, or the sums of the samples themselves. */
+    private static float[] weighted(double[] sum, Optional<double[]> samples) {
+        float[] values = new float[sum.length];
+        for (int i = 0; i < sum.length; i++) {
+            values[i] = (float) (samples.isPresent() ? sum[i] / samples.get()[i] : sum[i]);
+        }
+        return values;
     }
 
     private float[] mean(double[] sum) {

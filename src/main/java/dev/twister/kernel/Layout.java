@@ -97,13 +97,24 @@ public final class Layout {
     /** Number of the first of the pixel's samples in the infinite sequence. */
     public static final int FIRST_SAMPLE = 45;
 
+    /**
+     * Place in {@code frame} of the tiles to render: for each square of {@value #TILE_SIDE} x {@value #TILE_SIDE}
+     * pixels of the rows, from the top left, 1 if it is to be rendered, else 0. 0 if all are.
+     */
+    public static final int TILES = 46;
+
+    public static final int TILE_SIDE = 16;
+
+    /** Largest number of tiles that can be chosen from. */
+    public static final int MOST_TILES = 4096;
+
     /** Place of the pixel's samples in {@code frame}. */
-    public static final int SAMPLES = 46;
+    public static final int SAMPLES = 47;
 
     /**
      * The points of the unit sunflower, x and y of each shadow sample; then, at {@link #SAMPLES}, the pixel's samples.
      */
-    public static final int DISC = 47;
+    public static final int DISC = 48;
 
     /**
      * A sample of the pixel, {@value #SAMPLE_STRIDE} floats: its position in the pixel, x and y in (0, 1); then pairs

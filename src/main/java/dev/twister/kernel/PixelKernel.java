@@ -26,7 +26,7 @@ public final class PixelKernel {
             float[] meshes,
             float[] images,
             int variant) {
-        int samples = (int) frame[Layout.PIXEL_SAMPLES];
+        int samples = isWanted(column, row, frame) != 0 ? (int) frame[Layout.PIXEL_SAMPLES] : 0;
         path[Layout.RADIANCE] = 0f;
         path[Layout.RADIANCE + 1] = 0f;
         path[Layout.RADIANCE + 2] = 0f;
@@ -38,6 +38,18 @@ public final class PixelKernel {
             add(path, scratch, frame, bodies, looks, meshes, images, variant);
         }
         Aspect.finish(path, variant);
+    }
+
+    /** 1 if the pixel's tile is to be rendered, else 0. */
+    private static int isWanted(int column, int row, float[] frame) {
+        int wanted = 1;
+        int tiles = (int) frame[Layout.TILES];
+        if (tiles > 0) {
+            int across = ((int) frame[Layout.WIDTH] + Layout.TILE_SIDE - 1) / Layout.TILE_SIDE;
+            int tile = row / Layout.TILE_SIDE * across + column / Layout.TILE_SIDE;
+            wanted = frame[tiles + tile] > 0f ? 1 : 0;
+        }
+        return wanted;
     }
 
     /**

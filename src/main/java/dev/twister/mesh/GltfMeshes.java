@@ -66,6 +66,16 @@ final class GltfMeshes {
         return degenerateTriangles;
     }
 
+    /** The transforms of the instances of a node's mesh to the node's coordinates. */
+    List<Affine> instances(GltfPlace node) throws IOException {
+        try {
+            return GltfInstances.of(node, accessors);
+        } catch (MeshException problem) {
+            warnings.add(problem, "; shown once");
+            return List.of(Affine.IDENTITY);
+        }
+    }
+
     /** The primitives of one of the file's meshes in a pose, which are read at the first call. */
     List<Primitive> primitives(GltfPose pose) throws IOException {
         List<Primitive> known = read.get(pose);

@@ -20,6 +20,7 @@ final class GltfReader {
             "KHR_materials_unlit",
             "KHR_materials_volume",
             "KHR_mesh_quantization",
+            GltfInstances.EXTENSION,
             "KHR_texture_transform");
 
     /**
@@ -187,7 +188,9 @@ final class GltfReader {
                 warnings.add(problem, "; shown without its skin");
             }
         }
-        place(node, placement, pose.withoutSkin(), root, meshes);
+        for (Affine instance : meshes.instances(node)) {
+            place(node, placement.of(instance), pose.withoutSkin(), root, meshes);
+        }
     }
 
     private void place(GltfPlace node, Affine placement, GltfPose pose, GltfPlace root, GltfMeshes meshes)

@@ -14,13 +14,20 @@ final class GltfTransform {
             double[] m = node.at("matrix").numbersOr(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
             return new Affine(column(m, 0), column(m, 4), column(m, 8), column(m, 12));
         }
-        double[] scale = node.at("scale").numbersOr(1, 1, 1);
-        Affine turn = rotation(node.at("rotation").numbersOr(0, 0, 0, 1));
+        return of(
+                node.at("translation").numbersOr(0, 0, 0),
+                node.at("rotation").numbersOr(0, 0, 0, 1),
+                node.at("scale").numbersOr(1, 1, 1));
+    }
+
+    /** The transform that scales, then rotates by a quaternion, then translates. */
+    static Affine of(double[] translation, double[] quaternion, double[] scale) {
+        Affine turn = rotation(quaternion);
         return new Affine(
                 turn.axisX().times(scale[0]),
                 turn.axisY().times(scale[1]),
                 turn.axisZ().times(scale[2]),
-                column(node.at("translation").numbersOr(0, 0, 0), 0));
+                column(translation, 0));
     }
 
     /** The same transform in Twister's axes. */

@@ -1,10 +1,11 @@
 package dev.twister.render;
 
-import dev.twister.engine.ConvergingPicture.Convergence;
+import dev.twister.engine.ConvergingPicture.Converged;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
+import java.util.Arrays;
 import java.util.Optional;
 
 /** Renders a picture in bands of rows, so that progress can be reported. */
@@ -12,8 +13,10 @@ public final class BandedDrawing {
     /** View rays per band; a picture of 1280 x 720 with one sample per pixel is a single band. */
     private static final long RAYS_PER_BAND = 1 << 20;
 
-    /** With a noise bound: bands get different numbers of samples, and the first pass still keeps a device busy. */
-    private static final long RAYS_PER_CONVERGING_BAND = 1 << 17;
+    /**
+     * With a noise bound: tiles that are not done still keep a device busy, and the sums of samples are not too large.
+     */
+    private static final long PIXELS_PER_CONVERGING_BAND = 1 << 18;
 
     /** Enough rows to keep every core busy. */
     private static final int MIN_ROWS = 64;
@@ -29,14 +32,14 @@ public final class BandedDrawing {
      * A rendered picture.
      *
      * @param frame its times are the sums over all bands
-     * @param fewestSamples smallest number of samples per pixel of any band
-     * @param mostSamples largest number of samples per pixel of any band
+     * @param samples number of each pixel; empty if all have the same
      * @param noise estimated error of the noisiest part, as a share of white; 0 if it was not estimated
      */
-    public record Drawn(Frame frame, int fewestSamples, int mostSamples, double noise) {
+    @SuppressWarnings("ArrayRecordComponent") // never compared
+    public record Drawn(Frame frame, float[] samples, double noise) {
         /** The same with another frame. */
         Drawn with(Frame other) {
-            return new Drawn(other, fewestSamples, mostSamples, noise);
+            return new Drawn(other, samples, noise);
         }
     }
 
@@ -49,8 +52,12 @@ public final class BandedDrawing {
             return drawSquares(engine, input, sampling, linear, progress);
         }
         Drawn squares = drawSquares(engine, input.band(first, end - first), sampling, linear, progress);
-        Frame rows = squares.frame().rows(input.firstRow() - first, input.rows());
-        return new Drawn(rows, squares.fewestSamples(), squares.mostSamples(), squares.noise());
+        int above = input.firstRow() - first;
+        Frame rows = squares.frame().rows(above, input.rows());
+        float[] samples = squares.samples().length == 0
+                ? squares.samples()
+                : Arrays.copyOfRange(squares.samples(), input.width() * above, input.width() * (above + input.rows()));
+        return new Drawn(rows, samples, squares.noise());
     }
 
     private static Drawn drawSquares(
@@ -60,8 +67,7 @@ public final class BandedDrawing {
                 ? Frame.ofRadiance(input.width(), height, input.layers())
                 : Frame.ofPixels(input.width(), height);
         int rowsPerBand = rowsPerBand(input, sampling);
-        int fewest = sampling.samples();
-        int most = 0;
+        float[] samples = new float[sampling.noise().isPresent() ? input.width() * height : 0];
         double noise = 0;
         int bands = Math.ceilDiv(height, rowsPerBand);
         FrameTimes times = FrameTimes.NONE;
@@ -73,14 +79,15 @@ public final class BandedDrawing {
             if (rows != band.height()) {
                 band = whole.ofRows(rows);
             }
-            Convergence reached = sampling.draw(
+            Converged converged = sampling.draw(
                     engine,
                     input.band(input.firstRow() + first, rows),
                     band,
-                    pass -> progress.part(engine.id(), (before + sampling.part(pass)) / bands, Optional.of(pass)));
-            fewest = Math.min(fewest, reached.samples());
-            most = Math.max(most, reached.samples());
-            noise = Math.max(noise, reached.noise());
+                    pass -> progress.part(engine.id(), (before + pass.part()) / bands, Optional.of(pass)));
+            noise = Math.max(noise, converged.reached().noise());
+            if (samples.length > 0) {
+                putSamples(converged.samplesOfTile(), input.width(), first, rows, samples);
+            }
             if (bands > 1) {
                 whole.put(band, first);
                 progress.part(engine.id(), (drawn + 1.0) / bands, Optional.empty());
@@ -88,7 +95,17 @@ public final class BandedDrawing {
             times = times.plus(band.times());
         }
         whole.setTimes(times);
-        return new Drawn(whole, fewest, most, noise);
+        return new Drawn(whole, samples, noise);
+    }
+
+    /** Writes the samples of each pixel of a band. */
+    private static void putSamples(int[] samplesOfTile, int width, int firstRow, int rows, float[] samples) {
+        int across = Math.ceilDiv(width, SQUARE);
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < width; column++) {
+                samples[width * (firstRow + row) + column] = samplesOfTile[row / SQUARE * across + column / SQUARE];
+            }
+        }
     }
 
     /** Memory for rendering, in bytes per pixel; the bands need less than that again. */
@@ -98,8 +115,9 @@ public final class BandedDrawing {
 
     private static int rowsPerBand(FrameInput input, Sampling sampling) {
         boolean converges = sampling.noise().isPresent();
-        long raysPerRow = (long) input.width() * (converges ? Sampling.LEAST_CONVERGING : sampling.samples());
-        long rows = converges ? RAYS_PER_CONVERGING_BAND / raysPerRow : RAYS_PER_BAND / raysPerRow;
+        long rows = converges
+                ? PIXELS_PER_CONVERGING_BAND / input.width()
+                : RAYS_PER_BAND / ((long) input.width() * sampling.samples());
         long squares = Math.max(converges ? SQUARE : MIN_ROWS, rows) / SQUARE * SQUARE;
         return (int) Math.min(squares, input.rows());
     }

@@ -51,7 +51,7 @@ final class Cutout {
         Frame whole = Frame.ofPixels(width, rows);
         cutout.put(whole.argb(), samples, input);
         whole.setTimes(times);
-        return new BandedDrawing.Drawn(whole, samples, samples, 0);
+        return new BandedDrawing.Drawn(whole, new float[0], 0);
     }
 
     private void add(float[] colors, float[] bodies) {

@@ -3,7 +3,9 @@ package dev.twister.render;
 import dev.twister.denoise.Denoiser;
 import dev.twister.engine.Engine;
 import dev.twister.files.TwisterVersion;
+import dev.twister.image.ExrChannel;
 import dev.twister.image.Frame;
+import dev.twister.image.JoinedPicture;
 import dev.twister.image.Provenance;
 import dev.twister.world.FrameDigest;
 import dev.twister.world.FrameInput;
@@ -65,15 +67,26 @@ final class PictureDrawing implements AutoCloseable {
         boolean asRadiance = order.output().isLinear() || !wanted.isColor() || guided;
         FrameInput shown = guided ? input.withGuides() : input;
         BandedDrawing.Drawn picture = BandedDrawing.draw(engine(), shown, order.sampling(), asRadiance, progress);
-        return guided ? finished(wanted, shown, picture) : new DrawnAspect(wanted, picture, List.of());
+        List<ExrChannel> samples = samples(picture.samples());
+        return guided ? finished(wanted, shown, picture, samples) : new DrawnAspect(wanted, picture, samples);
     }
 
-    private DrawnAspect finished(Picture wanted, FrameInput shown, BandedDrawing.Drawn drawn) {
+    /** The number of samples of each pixel, if they differ and there is one picture alone. */
+    private List<ExrChannel> samples(float[] samples) {
+        return samples.length == 0 || order.pictures().size() > 1
+                ? List.of()
+                : List.of(new ExrChannel(JoinedPicture.SAMPLES, samples, 0, 1));
+    }
+
+    private DrawnAspect finished(
+            Picture wanted, FrameInput shown, BandedDrawing.Drawn drawn, List<ExrChannel> samples) {
         GuidedPicture guided = new GuidedPicture(drawn.frame());
         boolean denoises = order.finishing().denoiser().isPresent();
         Frame frame = denoises ? guided.denoised(denoiser()) : drawn.frame();
         Frame written = order.output().isLinear() ? frame : toned(frame, shown);
-        return new DrawnAspect(wanted, drawn.with(written), guided.channels(denoises));
+        List<ExrChannel> layers = new ArrayList<>(guided.channels(denoises));
+        layers.addAll(samples);
+        return new DrawnAspect(wanted, drawn.with(written), layers);
     }
 
     private static Frame toned(Frame linear, FrameInput input) {

@@ -1,6 +1,7 @@
 package dev.twister.render;
 
 import dev.twister.engine.ConvergingPicture;
+import dev.twister.engine.ConvergingPicture.Converged;
 import dev.twister.engine.ConvergingPicture.Convergence;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
@@ -35,19 +36,19 @@ public record Sampling(int samples, Optional<Double> noise) {
      *
      * @param input with {@link #atOnce} samples per pixel, unless there is a noise bound
      * @param watcher called after each pass of samples
-     * @return the number of samples of each pixel and their noise, which is 0 if it was not estimated
+     * @return the number of samples of each tile and the noise, which is 0 if it was not estimated
      */
-    Convergence draw(Engine engine, FrameInput input, Frame frame, Consumer<Convergence> watcher) {
-        if (noise.isPresent() || samples > atOnce()) {
+    Converged draw(Engine engine, FrameInput input, Frame frame, Consumer<Convergence> watcher) {
+        if (isGradual()) {
             return ConvergingPicture.draw(engine, input, frame, noise.orElse(0.0), samples, watcher);
         }
         engine.render(input, frame);
-        return new Convergence(samples, 0);
+        return new Converged(new Convergence(samples, 0, 1), new int[] {samples});
     }
 
-    /** The finished part of a band, in [0, 1]. */
-    double part(Convergence reached) {
-        return (double) reached.samples() / reached.expectedSamples(noise.orElse(0.0), samples);
+    /** Whether samples are rendered in passes. */
+    boolean isGradual() {
+        return noise.isPresent() || samples > atOnce();
     }
 
     /** Text for metadata of files. */

@@ -167,6 +167,37 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
     }
 
     /**
+     * Some tiles of this picture. An engine may leave the other pixels as they are, make them black or render them; to
+     * be chosen last, after rows and samples.
+     *
+     * @param wanted for each square of {@link Layout#TILE_SIDE} pixels of the rows, from the top left
+     * @throws IllegalArgumentException if that is another number of tiles than the rows have, or too many
+     */
+    public FrameInput withTiles(boolean[] wanted) {
+        if (wanted.length != tilesAcross() * Math.ceilDiv(rows(), Layout.TILE_SIDE)
+                || wanted.length > Layout.MOST_TILES) {
+            throw new IllegalArgumentException(wanted.length + " tiles for " + width() + " x " + rows() + " pixels");
+        }
+        return with(view.withTiles(wanted));
+    }
+
+    /** Number of tiles beside each other. */
+    public int tilesAcross() {
+        return Math.ceilDiv(width(), Layout.TILE_SIDE);
+    }
+
+    /** Whether a tile is to be rendered; tiles are counted from the top left of the rows. */
+    public boolean isWanted(int tile) {
+        int tiles = (int) view.frame()[Layout.TILES];
+        return tiles == 0 || view.frame()[tiles + tile] > 0;
+    }
+
+    /** Number of the first sample in the sequence. */
+    public int firstSample() {
+        return (int) view.frame()[Layout.FIRST_SAMPLE];
+    }
+
+    /**
      * A stage or view of this picture. 8-bit frames show the values as if they were colors; linear frames hold the
      * values themselves.
      */

@@ -21,6 +21,7 @@ public record View(float[] frame, int aspect) {
     static View of(float[] values, float[] disc, float[] samples, int aspect) {
         float[] frame = new float[Layout.DISC + disc.length + samples.length];
         System.arraycopy(values, 0, frame, 0, Layout.SAMPLES);
+        frame[Layout.TILES] = 0;
         frame[Layout.SAMPLES] = Layout.DISC + disc.length;
         System.arraycopy(disc, 0, frame, Layout.DISC, disc.length);
         System.arraycopy(samples, 0, frame, Layout.DISC + disc.length, samples.length);
@@ -66,6 +67,17 @@ public record View(float[] frame, int aspect) {
         return of(counted, disc(), PixelSamples.of(first, samples), aspect);
     }
 
+    /** The tiles are behind all else; the tables before them keep their places. */
+    View withTiles(boolean[] wanted) {
+        int end = samplePlace((int) frame[Layout.PIXEL_SAMPLES]);
+        float[] limited = Arrays.copyOf(frame, end + wanted.length);
+        limited[Layout.TILES] = end;
+        for (int tile = 0; tile < wanted.length; tile++) {
+            limited[end + tile] = wanted[tile] ? 1 : 0;
+        }
+        return new View(limited, aspect);
+    }
+
     View showing(Picture picture) {
         float[] shown = frame.clone();
         if (!picture.bounces()) {
@@ -83,6 +95,6 @@ public record View(float[] frame, int aspect) {
     }
 
     private float[] samples() {
-        return Arrays.copyOfRange(frame, samplesStart(), frame.length);
+        return Arrays.copyOfRange(frame, samplesStart(), samplePlace((int) frame[Layout.PIXEL_SAMPLES]));
     }
 }

@@ -1,19 +1,20 @@
 package dev.twister.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.engine.ConvergingPicture.Converged;
 import dev.twister.engine.ConvergingPicture.Convergence;
 import dev.twister.engine.vector.VectorEngines;
 import dev.twister.image.Frame;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.oracle.LitScene;
-import dev.twister.oracle.PictureDifference;
-import dev.twister.oracle.Pictures;
 import dev.twister.oracle.ShippedScenes;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -53,12 +54,47 @@ class ConvergingPictureTest {
     }
 
     @Test
-    void thePictureIsThatOfAsManySamples() {
-        Frame frame = Frame.ofPixels(metals.width(), metals.height());
-        int samples = draw(metals, frame, 0.04);
+    void aTileIsThatOfAsManySamples() {
+        Frame frame = Frame.ofRadiance(metals.width(), metals.height());
+        int[] samples = converged(metals, frame, 0.03).samplesOfTile();
+        int least = Arrays.stream(samples).min().orElseThrow();
+        float[] inOneGo = radiance(metals.withSamples(metals.firstSample(), least));
 
-        int[] inOneGo = Pictures.argb(JvmEngines.PARALLEL, metals.withSamples(0, samples));
-        assertThat(PictureDifference.between(frame.argb(), inOneGo)).matches(PictureDifference::isWithinBound);
+        assertThat(Arrays.stream(samples).max().orElseThrow()).isGreaterThan(least);
+        for (int pixel = 0; pixel < metals.width() * metals.height(); pixel++) {
+            int tile = pixel / metals.width() / 16 * metals.tilesAcross() + pixel % metals.width() / 16;
+            if (samples[tile] == least) {
+                assertThat(frame.radiance()[3 * pixel]).isCloseTo(inOneGo[3 * pixel], within(1e-4f));
+            }
+        }
+    }
+
+    @Test
+    void tilesAreTheSameInEveryPart() {
+        Frame whole = Frame.ofRadiance(metals.width(), metals.height());
+        converged(metals, whole, 0.03);
+        FrameInput part = metals.band(16, metals.height() - 16);
+        Frame below = Frame.ofRadiance(part.width(), part.rows());
+        converged(part, below, 0.03);
+
+        assertThat(below.radiance()).isEqualTo(whole.rows(16, part.rows()).radiance());
+    }
+
+    @Test
+    void anotherRangeHasOtherSamples() {
+        Frame first = Frame.ofRadiance(metals.width(), metals.height());
+        Frame second = Frame.ofRadiance(metals.width(), metals.height());
+        converged(metals.withSamples(1, 64), first, 0.03);
+        converged(metals.withSamples(65, 64), second, 0.03);
+
+        assertThat(first.radiance()).isNotEqualTo(second.radiance());
+    }
+
+    @Test
+    void withoutABoundAllTilesGetAllSamples() {
+        Frame frame = Frame.ofRadiance(metals.width(), metals.height());
+
+        assertThat(converged(metals, frame, 0).samplesOfTile()).containsOnly(MOST_SAMPLES);
     }
 
     @ParameterizedTest
@@ -77,22 +113,15 @@ class ConvergingPictureTest {
     }
 
     @Test
-    void passesEndWithTheFirstBelowTheBound() {
+    void passesEndOnceAllTilesAreBelowTheBound() {
         List<Convergence> passes = new ArrayList<>();
         FrameInput traced = traced();
         draw(JvmEngines.PARALLEL, traced, Frame.ofPixels(traced.width(), traced.height()), 0.05, passes);
 
         assertThat(passes.getLast().noise()).isLessThanOrEqualTo(0.05);
-        assertThat(passes.subList(0, passes.size() - 1)).allMatch(pass -> pass.noise() > 0.05);
+        assertThat(passes.getLast().part()).isEqualTo(1);
         assertThat(passes).extracting(Convergence::samples).isSorted().allMatch(samples -> samples % 2 == 0);
-    }
-
-    @Test
-    void expectedSamplesGrowWithTheSquareOfTheNoise() {
-        assertThat(new Convergence(16, 0.02).expectedSamples(0.01, 1000)).isEqualTo(64);
-        assertThat(new Convergence(16, 0.005).expectedSamples(0.01, 1000)).isEqualTo(16);
-        assertThat(new Convergence(16, 0.02).expectedSamples(0.01, 40)).isEqualTo(40);
-        assertThat(new Convergence(16, 0.02).expectedSamples(0, 1000)).isEqualTo(1000);
+        assertThat(passes).extracting(Convergence::part).allMatch(part -> part > 0 && part <= 1);
     }
 
     private static FrameInput traced() {
@@ -114,7 +143,14 @@ class ConvergingPictureTest {
     private static int draw(String engineId, FrameInput input, Frame frame, double noise, List<Convergence> passes) {
         try (Engine engine = Engines.open(engineId)) {
             return ConvergingPicture.draw(engine, input, frame, noise, MOST_SAMPLES, passes::add)
+                    .reached()
                     .samples();
+        }
+    }
+
+    private static Converged converged(FrameInput input, Frame frame, double noise) {
+        try (Engine engine = Engines.open(JvmEngines.PARALLEL)) {
+            return ConvergingPicture.draw(engine, input, frame, noise, MOST_SAMPLES, _ -> {});
         }
     }
 

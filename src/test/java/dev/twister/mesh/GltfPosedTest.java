@@ -94,4 +94,18 @@ class GltfPosedTest {
         assertThat(Reading.triangles(file)).containsExactly("(101.0,0.0,0.0) (101.0,1.0,0.0) (102.0,0.0,0.0)");
         assertThat(warnings).singleElement().asString().contains("joint 1; the skin has 1; shown without its skin");
     }
+
+    @Test
+    void instancesAreParts() {
+        MeshFile file = read(
+                "",
+                ",\"extensions\":{\"EXT_mesh_gpu_instancing\":{\"attributes\":{\"TRANSLATION\":0}}}",
+                ",\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"]");
+
+        assertThat(file.meshes()).hasSize(1);
+        assertThat(file.parts())
+                .extracting(part -> part.placement().origin().x())
+                .containsExactly(101.0, 102.0, 101.0);
+        assertThat(warnings).isEmpty();
+    }
 }

@@ -102,6 +102,7 @@ class WorldTest {
                         1,
                         4,
                         0,
+                        0,
                         Layout.DISC + 2 * 5);
     }
 

@@ -26,6 +26,12 @@ final class TileRenderer {
 
     /** Renders a tile; tiles are numbered row by row from the top left. */
     void draw(Drawing drawing, int number) {
+        if (drawing.input.isWanted(number)) {
+            drawWanted(drawing, number);
+        }
+    }
+
+    private void drawWanted(Drawing drawing, int number) {
         tile.left = number % drawing.tilesAcross() * Tile.SIDE;
         tile.top = number / drawing.tilesAcross() * Tile.SIDE;
         TileOutput.approachNext(tile, drawing.frame);

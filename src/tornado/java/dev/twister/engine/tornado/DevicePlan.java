@@ -37,8 +37,10 @@ final class DevicePlan implements AutoCloseable {
     private static final int FEW_BODIES = 4096;
 
     /** Length of the kernel's frame with the most samples. */
-    private static final int LONGEST_FRAME =
-            Layout.DISC + 2 * Rendering.MAX_SHADOW_SAMPLES + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL;
+    private static final int LONGEST_FRAME = Layout.DISC
+            + 2 * Rendering.MAX_SHADOW_SAMPLES
+            + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL
+            + Layout.MOST_TILES;
 
     private static final int[] NO_PIXELS = new int[1];
     private static final float[] NO_RADIANCE = new float[1];

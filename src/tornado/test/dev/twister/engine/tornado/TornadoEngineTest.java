@@ -281,7 +281,8 @@ class TornadoEngineTest {
     private static void requireLittleCopied(DevicePlan plan, FrameInput input) {
         long frame = Layout.DISC
                 + 2L * Rendering.MAX_SHADOW_SAMPLES
-                + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL;
+                + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL
+                + Layout.MOST_TILES;
         long most = 2
                         * Float.BYTES
                         * (frame
