@@ -212,6 +212,7 @@ class RoomsTest {
                         "scene",
                         "world",
                         "film",
+                        "denoise",
                         "engine",
                         "engine.auto",
                         "image",

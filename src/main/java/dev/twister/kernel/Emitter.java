@@ -183,7 +183,7 @@ public final class Emitter {
 
     /** 1 if both sides of the body's triangles emit, else 0. */
     private static int isTwoSided(int body, float[] looks) {
-        return looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER] > 0f ? 1 : 0;
+        return looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER] >= 0f ? 1 : 0;
     }
 
     private static void towardSky(float[] path, float first, float second, float[] frame, float[] images) {

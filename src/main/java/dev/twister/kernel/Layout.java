@@ -175,7 +175,8 @@ public final class Layout {
     public static final int LOOK_EMISSION = 9;
 
     /**
-     * Number of the body's first emitter, from 1 on, negative if only the outer sides of triangles emit; 0 for none.
+     * Number of the body's first emitter, from 1 on, negative if only the outer sides of triangles emit; 0 or -1
+     * without one.
      */
     public static final int LOOK_EMITTER = 12;
 
@@ -200,6 +201,7 @@ public final class Layout {
     public static final int MAP_WIDTH = 1;
     public static final int MAP_HEIGHT = 2;
     public static final int MAP_SAMPLER = 3;
+    public static final int MAP_STRIDE = 4;
     public static final int SAMPLER_DOWN = 3;
     public static final int SAMPLER_NEAREST = 9;
     public static final int SAMPLER_COORDINATES = 18;

@@ -30,27 +30,11 @@ final class SurfaceMaps {
             if (looks[row + Layout.MAPS_VERTEX_COLORS] > 0f) {
                 multiplyByVertexColor(path, frame, bodies, meshes);
             }
-            if (aim(path, row + Layout.MAPS_COLOR, body, frame, bodies, looks, meshes, variant) != 0) {
-                multiply(path, Layout.ALBEDO, row + Layout.MAPS_COLOR, looks, images);
-            }
-            if (aim(path, row + Layout.MAPS_EMISSION, body, frame, bodies, looks, meshes, variant) != 0) {
-                multiply(path, Layout.EMISSION, row + Layout.MAPS_EMISSION, looks, images);
-            }
-            if (aim(path, row + Layout.MAPS_ROUGHNESS, body, frame, bodies, looks, meshes, variant) != 0) {
-                float roughness = Texture.channel(path, row + Layout.MAPS_ROUGHNESS, 1, looks, images);
-                path[Layout.ROUGHNESS] = path[Layout.ROUGHNESS] * roughness;
-            }
-            if (aim(path, row + Layout.MAPS_METALLIC, body, frame, bodies, looks, meshes, variant) != 0) {
-                float metallic = Texture.channel(path, row + Layout.MAPS_METALLIC, 2, looks, images);
-                path[Layout.METALLIC] = path[Layout.METALLIC] * metallic;
-            }
-            if (aim(path, row + Layout.MAPS_OCCLUSION, body, frame, bodies, looks, meshes, variant) != 0) {
-                float open = Texture.channel(path, row + Layout.MAPS_OCCLUSION, 0, looks, images);
-                path[Layout.OCCLUSION] = 1f + looks[row + Layout.MAPS_OCCLUSION_STRENGTH] * (open - 1f);
-            }
-            if (aim(path, row + Layout.MAPS_TRANSMISSION, body, frame, bodies, looks, meshes, variant) != 0) {
-                float transmission = Texture.channel(path, row + Layout.MAPS_TRANSMISSION, 0, looks, images);
-                path[Layout.TRANSMISSION] = path[Layout.TRANSMISSION] * transmission;
+            // A loop, so that the code that reads a map is there once.
+            for (int place = Layout.MAPS_COLOR; place < Layout.MAPS_ALPHA; place += Layout.MAP_STRIDE) {
+                if (aim(path, row + place, body, frame, bodies, looks, meshes, variant) != 0) {
+                    multiply(path, row, place, looks, images);
+                }
             }
             derive(path, row, looks);
         }
@@ -95,11 +79,29 @@ final class SurfaceMaps {
         return exists;
     }
 
-    /** Multiplies three floats of the path by a map's color. */
-    private static void multiply(float[] path, int at, int map, float[] looks, float[] images) {
-        path[at] = path[at] * Texture.channel(path, map, 0, looks, images);
-        path[at + 1] = path[at + 1] * Texture.channel(path, map, 1, looks, images);
-        path[at + 2] = path[at + 2] * Texture.channel(path, map, 2, looks, images);
+    /**
+     * Multiplies what a map varies by its color at {@link Layout#TEXEL}.
+     *
+     * @param row place of the body's maps in {@code looks}
+     * @param place of the map in the row
+     */
+    private static void multiply(float[] path, int row, int place, float[] looks, float[] images) {
+        float red = Texture.channel(path, row + place, 0, looks, images);
+        float green = Texture.channel(path, row + place, 1, looks, images);
+        float blue = Texture.channel(path, row + place, 2, looks, images);
+        int color = place == Layout.MAPS_COLOR ? 1 : 0;
+        path[Layout.ALBEDO] = path[Layout.ALBEDO] * (color != 0 ? red : 1f);
+        path[Layout.ALBEDO + 1] = path[Layout.ALBEDO + 1] * (color != 0 ? green : 1f);
+        path[Layout.ALBEDO + 2] = path[Layout.ALBEDO + 2] * (color != 0 ? blue : 1f);
+        int emission = place == Layout.MAPS_EMISSION ? 1 : 0;
+        path[Layout.EMISSION] = path[Layout.EMISSION] * (emission != 0 ? red : 1f);
+        path[Layout.EMISSION + 1] = path[Layout.EMISSION + 1] * (emission != 0 ? green : 1f);
+        path[Layout.EMISSION + 2] = path[Layout.EMISSION + 2] * (emission != 0 ? blue : 1f);
+        path[Layout.ROUGHNESS] = path[Layout.ROUGHNESS] * (place == Layout.MAPS_ROUGHNESS ? green : 1f);
+        path[Layout.METALLIC] = path[Layout.METALLIC] * (place == Layout.MAPS_METALLIC ? blue : 1f);
+        path[Layout.TRANSMISSION] = path[Layout.TRANSMISSION] * (place == Layout.MAPS_TRANSMISSION ? red : 1f);
+        float open = 1f + looks[row + Layout.MAPS_OCCLUSION_STRENGTH] * (red - 1f);
+        path[Layout.OCCLUSION] = path[Layout.OCCLUSION] * (place == Layout.MAPS_OCCLUSION ? open : 1f);
     }
 
     private static void multiplyByVertexColor(float[] path, float[] frame, float[] bodies, float[] meshes) {

@@ -1,10 +1,12 @@
 package dev.twister.render;
 
+import dev.twister.denoise.DenoiserOffer;
 import dev.twister.engine.EngineOffer;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Everything that the files of a rendering depend on; {@link Renderer} carries it out.
@@ -24,6 +26,12 @@ public record RenderOrder(
         Movement movement,
         Finishing finishing,
         RenderOutput output) {
+    /** The same with a denoiser; stages and views without reflections are not denoised. */
+    public RenderOrder denoisedBy(Optional<DenoiserOffer> denoiser) {
+        Finishing denoised = new Finishing(finishing.autoExposure(), finishing.guides(), denoiser);
+        return new RenderOrder(scene, engine, pictures, sampling, part, movement, denoised, output);
+    }
+
     /** The size of each picture. */
     public PictureSize size() {
         return new PictureSize(scene.rendering().width(), scene.rendering().height());

@@ -43,10 +43,11 @@ record Emitters(float[] looks, float[] images, int table, int count, int sky, in
             LookTable.putColor(looks, Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION, lights.get(index));
         }
         List<Emitter> emitters = new ArrayList<>();
-        addSpheres(bodies, 0, bodyCount, looks, emitters);
-        addSpheres(bodies, bodies.room(), bodies.room() + further, looks, emitters);
+        EmissionMeans means = new EmissionMeans(looks, bodies.textures(), images);
+        addSpheres(bodies, 0, bodyCount, looks, means, emitters);
+        addSpheres(bodies, bodies.room(), bodies.room() + further, looks, means, emitters);
         if (bodies.firstMesh() != Layout.NO_MESHES) {
-            addTriangles(bodies, looks, emitters);
+            addTriangles(bodies, looks, means, emitters);
         }
         float[] probabilities =
                 skyShines ? SkyProbabilities.of(sky.radiance(), sky.width(), sky.height()) : new float[0];
@@ -87,9 +88,10 @@ record Emitters(float[] looks, float[] images, int table, int count, int sky, in
         frame[Layout.SKY_TABLE] = skyTable;
     }
 
-    private static void addSpheres(Bodies bodies, int first, int end, float[] looks, List<Emitter> emitters) {
+    private static void addSpheres(
+            Bodies bodies, int first, int end, float[] looks, EmissionMeans means, List<Emitter> emitters) {
         for (int body = first; body < end; body++) {
-            double radiance = radiance(looks, body);
+            double radiance = means.of(body);
             if (radiance > 0 && body != Layout.PLANE) {
                 double area = 4 * Math.PI * bodies.size(body) * bodies.size(body);
                 looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER] = 1 + emitters.size();
@@ -98,13 +100,13 @@ record Emitters(float[] looks, float[] images, int table, int count, int sky, in
         }
     }
 
-    private static void addTriangles(Bodies bodies, float[] looks, List<Emitter> emitters) {
+    private static void addTriangles(Bodies bodies, float[] looks, EmissionMeans means, List<Emitter> emitters) {
         float[] floats = bodies.floats();
         int first = Instance.at(0, bodies.instances(), floats);
         for (int instance = 0; first + Layout.INSTANCE_STRIDE * instance < floats.length; instance++) {
             int at = first + Layout.INSTANCE_STRIDE * instance;
             int body = (int) floats[at + Layout.INSTANCE_BODY];
-            double radiance = radiance(looks, body);
+            double radiance = means.of(body);
             if (radiance > 0) {
                 int look = Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER;
                 int sides = looks[look] < 0 ? 1 : 2;
@@ -139,10 +141,6 @@ record Emitters(float[] looks, float[] images, int table, int count, int sky, in
             }
         }
         return edge;
-    }
-
-    private static double radiance(float[] looks, int body) {
-        return SkyProbabilities.luminance(looks, Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION);
     }
 
     private static void write(float[] looks, int at, Emitter emitter, double sum, double probability) {

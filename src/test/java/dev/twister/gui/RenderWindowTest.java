@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.denoise.FakeDenoiser;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
@@ -21,6 +22,7 @@ import java.util.concurrent.CountDownLatch;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.Button;
+import javafx.scene.control.CheckBox;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.RadioButton;
@@ -82,6 +84,27 @@ class RenderWindowTest {
             press(driver, "render-start");
             driver.answer(driver.awaitDialog("frames-question"), "Cancel");
         }
+    }
+
+    @Test
+    void removesTheNoiseOnDemand() throws IOException {
+        System.setProperty(FakeDenoiser.PROPERTY, "true");
+        Path noisy = folder.resolve("noisy.png");
+        Path clean = folder.resolve("clean.png");
+        try (WindowDriver driver = open()) {
+            driver.await(() -> !find("render-denoise", CheckBox.class).isDisabled());
+            driver.files.choose(noisy);
+            press(driver, "render-start");
+            driver.await(() -> driver.notice().equals("Rendered " + noisy));
+            driver.run(() -> find("render-denoise", CheckBox.class).fire());
+            driver.files.choose(clean);
+            press(driver, "render-start");
+            driver.await(() -> driver.notice().equals("Rendered " + clean));
+        } finally {
+            System.clearProperty(FakeDenoiser.PROPERTY);
+        }
+
+        assertThat(Files.readAllBytes(clean)).isNotEqualTo(Files.readAllBytes(noisy));
     }
 
     @Test

@@ -35,4 +35,19 @@ sealed interface Body permits SphereBody, PlaneBody, TriangleBody {
     }
 
     OracleMaterial material();
+
+    /** The material at a point, as maps vary it. */
+    default OracleMaterial material(Vector point) {
+        return material();
+    }
+
+    /** What multiplies the ambient light at a point. */
+    default double open(Vector point) {
+        return 1;
+    }
+
+    /** What multiplies light that passes the surface at a point. */
+    default Color passing(Vector point) {
+        return albedo(point);
+    }
 }

@@ -53,7 +53,7 @@ final class BruteForce {
             Vector point = ray.at(distance);
             Vector normal = body.normal(ray, point);
             boolean fromInside = body.isMetFromInside(ray, normal);
-            OracleMaterial material = body.material();
+            OracleMaterial material = body.material(point);
             Body medium = fromInside ? body : inside ? leaving : null;
             if (medium != null) {
                 throughput = throughput.times(medium.material().passed(distance));

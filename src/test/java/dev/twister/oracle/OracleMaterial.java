@@ -28,7 +28,9 @@ record OracleMaterial(
                 material.transmission(),
                 material.ior(),
                 material.texture()
-                        .map(file -> new OracleTexture(images.textureByFile().get(file))),
+                        .map(file -> new OracleTexture(
+                                images.textureByFile().get(file),
+                                material.maps().texture())),
                 material.metallic(),
                 material.isByFresnel(),
                 Color.of(material.emission().radiance()),
@@ -56,6 +58,21 @@ record OracleMaterial(
                 Math.exp(-absorption.red() * distance),
                 Math.exp(-absorption.green() * distance),
                 Math.exp(-absorption.blue() * distance));
+    }
+
+    OracleMaterial withEmission(Color newEmission) {
+        return new OracleMaterial(
+                color,
+                reflectivity,
+                roughness,
+                transmission,
+                ior,
+                texture,
+                metallic,
+                byFresnel,
+                newEmission,
+                emitsInward,
+                absorption);
     }
 
     boolean emits() {

@@ -52,7 +52,12 @@ final class OracleShadow {
                 case SphereBody sphere -> sphere.distance(shadowRay) < distance;
                 case TriangleBody triangle -> triangle.distance(shadowRay) < distance;
             };
-            if (meets && body != own && (!(body instanceof TriangleBody mesh) || metMeshes.add(mesh.number()))) {
+            if (meets
+                    && body instanceof TriangleBody triangle
+                    && triangle.maps().blends()
+                    && body != own) {
+                passed *= 1 - triangle.opacity(shadowRay.at(triangle.distance(shadowRay)));
+            } else if (meets && body != own && (!(body instanceof TriangleBody mesh) || metMeshes.add(mesh.number()))) {
                 passed *= body.material().transmission();
             }
         }

@@ -1,11 +1,20 @@
 package dev.twister.oracle;
 
+import dev.twister.scene.Sampler;
+import dev.twister.scene.Wrap;
 import dev.twister.sky.Skybox;
 
-/** A picture on a surface, with bilinear filtering, repeating in both directions. */
-record OracleTexture(Skybox picture) {
+/** A picture on a surface. */
+record OracleTexture(Skybox picture, Sampler sampler) {
+    OracleTexture(Skybox picture) {
+        this(picture, Sampler.DEFAULT);
+    }
+
     /** (u, v) = (0, 0) is the upper left corner of the first texel. */
     Color color(double u, double v) {
+        if (sampler.nearest()) {
+            return texel(Math.floor(u * picture.width()), Math.floor(v * picture.height()));
+        }
         double column = u * picture.width() - 0.5;
         double row = v * picture.height() - 0.5;
         double left = Math.floor(column);
@@ -27,8 +36,17 @@ record OracleTexture(Skybox picture) {
 
     private Color texel(double column, double row) {
         int at = 3
-                * (Math.floorMod((long) row, picture.height()) * picture.width()
-                        + Math.floorMod((long) column, picture.width()));
+                * (wrapped((long) row, picture.height(), sampler.down()) * picture.width()
+                        + wrapped((long) column, picture.width(), sampler.across()));
         return new Color(picture.radiance()[at], picture.radiance()[at + 1], picture.radiance()[at + 2]);
+    }
+
+    private static int wrapped(long place, int size, Wrap wrap) {
+        int doubled = Math.floorMod(place, 2 * size);
+        return switch (wrap) {
+            case REPEAT -> Math.floorMod(place, size);
+            case CLAMP -> (int) Math.clamp(place, 0L, size - 1L);
+            case MIRROR -> doubled < size ? doubled : 2 * size - 1 - doubled;
+        };
     }
 }

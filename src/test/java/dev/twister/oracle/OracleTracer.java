@@ -43,6 +43,10 @@ final class OracleTracer {
             return ray.direction().times(-1);
         }
 
+        OracleMaterial material() {
+            return body.material(point);
+        }
+
         /** The normal on the viewer's side; the plane's own normal always points up. */
         Vector facing() {
             return ray.direction().dot(normal) > 0 ? normal.times(-1) : normal;
@@ -106,8 +110,12 @@ final class OracleTracer {
                 OracleMaterial made = OracleMaterial.of(
                         triangles.textureCoordinates().length == 0 ? material.withTexture(Optional.empty()) : material,
                         images);
+                OracleMaps maps = OracleMaps.of(
+                        triangles.textureCoordinates().length == 0 ? material.withoutImages() : material, images);
+                boolean colored = mesh.material().isEmpty();
                 for (int triangle = 0; triangle < triangles.triangles(); triangle++) {
-                    bodies.add(TriangleBody.of(number, triangles, triangle, placement.of(part.placement()), made));
+                    bodies.add(TriangleBody.of(
+                            number, triangles, triangle, placement.of(part.placement()), made, maps, colored));
                 }
                 number++;
             }
@@ -171,7 +179,7 @@ final class OracleTracer {
         }
         double distance = body == leaving ? body.distanceInside(ray) : body.distance(ray);
         Place place = place(ray, body, ray.at(distance));
-        OracleMaterial material = body.material();
+        OracleMaterial material = place.material();
         Color albedo = body.albedo(place.point());
         double mirror = bounce < bounceLimit ? material.reflectivity() / PERFECT_MIRROR : 0;
         double transmission = bounce < bounceLimit ? material.transmission() : 0;
@@ -198,7 +206,8 @@ final class OracleTracer {
             Vector passed = isSheet
                     ? reflected.minus(place.normal().times(2 * reflected.dot(place.normal())))
                     : Fresnel.refracted(ray.direction(), facet, ratio).normalized();
-            Color passedPart = albedo.times(passing * (1 - reflectance) * weight(place, passed, -1));
+            Color passedPart =
+                    body.passing(place.point()).times(passing * (1 - reflectance) * weight(place, passed, -1));
             boolean isInside = !isSheet && !place.fromInside();
             color = color.plus(branch(place, passed, isInside, passedPart, bounce, throughput, numbers));
         }
@@ -215,7 +224,7 @@ final class OracleTracer {
             sum += lamp.share() * Math.max(0, place.normal().dot(toLight)) * visible;
             highlight = highlight.plus(light.material().color().times(highlight(place, toLight, visible)));
         }
-        return new Shading(Math.max(ambient, sum), highlight);
+        return new Shading(Math.max(ambient * place.body().open(place.point()), sum), highlight);
     }
 
     private double meanVisible(Place place) {
@@ -240,7 +249,7 @@ final class OracleTracer {
             Color throughput,
             SampleNumbers numbers) {
         Color rest = throughput.times(part);
-        double least = place.body().material().transmits() ? rounding.cut() * LEAST_THROUGHPUT : 0;
+        double least = place.material().transmits() ? rounding.cut() * LEAST_THROUGHPUT : 0;
         if (rest.strongest() == 0 || rest.strongest() < least) {
             return Color.BLACK;
         }
@@ -279,7 +288,7 @@ final class OracleTracer {
 
     /** Returns the normal for reflection and refraction. */
     private Vector facet(Place place, int bounce, SampleNumbers numbers) {
-        double roughness = place.body().material().roughness();
+        double roughness = place.material().roughness();
         return roughness == 0
                 ? place.facing()
                 : RoughSurface.of(roughness)
@@ -298,7 +307,7 @@ final class OracleTracer {
      * @param side 1 for reflection, -1 for transmission
      */
     private static double weight(Place place, Vector direction, int side) {
-        double roughness = place.body().material().roughness();
+        double roughness = place.material().roughness();
         return roughness == 0
                 ? 1
                 : RoughSurface.of(roughness)
@@ -307,7 +316,7 @@ final class OracleTracer {
 
     /** The Blinn-Phong term, to be multiplied by the light's color. */
     private static double highlight(Place place, Vector toLight, double visible) {
-        double p = place.body().material().reflectivity();
+        double p = place.material().reflectivity();
         Vector half = toLight.plus(place.toViewer()).normalized();
         return place.normal().dot(toLight) > 0
                 ? visible

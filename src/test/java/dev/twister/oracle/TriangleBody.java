@@ -3,6 +3,7 @@ package dev.twister.oracle;
 import dev.twister.mesh.Affine;
 import dev.twister.mesh.TriangleMesh;
 import dev.twister.scene.Vector3;
+import java.util.Arrays;
 import java.util.Optional;
 
 /**
@@ -12,19 +13,30 @@ import java.util.Optional;
  * @param corners positions with normals and texture coordinates
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
-record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMaterial material) implements Body {
+record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMaterial material, OracleMaps maps)
+        implements Body {
     /** A corner with its shading normal, if the mesh has normals, and its texture coordinates. */
-    record Corner(Vector place, Optional<Vector> normal, double u, double v) {}
+    record Corner(Vector place, Optional<Vector> normal, double u, double v, Color color, double opacity) {}
 
-    static TriangleBody of(int number, TriangleMesh mesh, int triangle, Affine placement, OracleMaterial material) {
+    static TriangleBody of(
+            int number,
+            TriangleMesh mesh,
+            int triangle,
+            Affine placement,
+            OracleMaterial material,
+            OracleMaps maps,
+            boolean colored) {
         Corner[] corners = new Corner[3];
         for (int i = 0; i < 3; i++) {
-            corners[i] = corner(mesh, mesh.corners()[3 * triangle + i], placement);
+            corners[i] = corner(mesh, mesh.corners()[3 * triangle + i], placement, colored);
         }
-        return new TriangleBody(number, corners, isMirrored(placement), material);
+        return new TriangleBody(number, corners, isMirrored(placement), material, maps);
     }
 
-    private static Corner corner(TriangleMesh mesh, int vertex, Affine placement) {
+    private static Corner corner(TriangleMesh mesh, int vertex, Affine placement, boolean colored) {
+        float[] color = colored && mesh.colors().length > 0
+                ? Arrays.copyOfRange(mesh.colors(), 4 * vertex, 4 * vertex + 4)
+                : new float[] {1, 1, 1, 1};
         float[] uv = mesh.textureCoordinates();
         return new Corner(
                 vector(placement.point(at(mesh.positions(), vertex))),
@@ -32,7 +44,9 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
                         ? Optional.empty()
                         : Optional.of(turned(at(mesh.normals(), vertex), placement)),
                 uv.length == 0 ? 0 : uv[2 * vertex],
-                uv.length == 0 ? 0 : uv[2 * vertex + 1]);
+                uv.length == 0 ? 0 : uv[2 * vertex + 1],
+                new Color(color[0], color[1], color[2]),
+                color[3]);
     }
 
     private static Vector3 at(float[] vectors, int vertex) {
@@ -90,7 +104,8 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
         Vector along = fromCorner.cross(edge(1));
         double c = ray.direction().dot(along) / determinant;
         double distance = edge(2).dot(along) / determinant;
-        return b >= 0 && c >= 0 && b + c <= 1 && distance > 0 && !startsInPlane(ray) ? distance : MISS;
+        boolean met = b >= 0 && c >= 0 && b + c <= 1 && distance > 0 && !startsInPlane(ray);
+        return met && !(maps.cuts() && opacity(ray.at(distance)) < maps.alpha().cutoff()) ? distance : MISS;
     }
 
     /** A ray never hits the triangle that it leaves. */
@@ -130,7 +145,12 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
     @Override
     public Vector normal(Ray ray, Vector point) {
         Vector normal = normal(point);
-        return normal.dot(facing(ray)) < 0 ? normal.times(-1) : normal;
+        Vector outward = normal.dot(face()) < 0 ? normal.times(-1) : normal;
+        Vector turned = maps.turned(outward, toRight(), upward(), u(point), v(point));
+        Vector near = ray.direction().dot(face()) > 0 ? turned.times(-1) : turned;
+        return maps.normal().isEmpty()
+                ? near
+                : OracleMaps.facing(near, ray.direction().times(-1));
     }
 
     @Override
@@ -145,14 +165,83 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
 
     @Override
     public boolean emits(Ray ray, boolean fromInside) {
-        return material.emits() && (material.emitsInward() || ray.direction().dot(face()) < 0);
+        return (material.emits() || maps.unlit())
+                && (material.emitsInward() || ray.direction().dot(face()) < 0);
+    }
+
+    private double u(Vector point) {
+        return between(point, corners[0].u(), corners[1].u(), corners[2].u());
+    }
+
+    private double v(Vector point) {
+        return between(point, corners[0].v(), corners[1].v(), corners[2].v());
+    }
+
+    /** The direction in which u grows and v does not: what is added to u along an edge is what is left of v. */
+    private Vector toRight() {
+        return edge(1).times(corners[2].v() - corners[0].v())
+                .minus(edge(2).times(corners[1].v() - corners[0].v()))
+                .times(Math.signum(imageArea()));
+    }
+
+    /** The direction in which v falls and u stays. */
+    private Vector upward() {
+        return edge(1).times(corners[2].u() - corners[0].u())
+                .minus(edge(2).times(corners[1].u() - corners[0].u()))
+                .times(Math.signum(imageArea()));
+    }
+
+    private double imageArea() {
+        return (corners[1].u() - corners[0].u()) * (corners[2].v() - corners[0].v())
+                - (corners[2].u() - corners[0].u()) * (corners[1].v() - corners[0].v());
+    }
+
+    private double vertexOpacity(Vector point) {
+        return between(point, corners[0].opacity(), corners[1].opacity(), corners[2].opacity());
+    }
+
+    double opacity(Vector point) {
+        return maps.opacity(u(point), v(point), vertexOpacity(point));
+    }
+
+    private Color base(Vector point) {
+        Color vertex = new Color(
+                between(
+                        point,
+                        corners[0].color().red(),
+                        corners[1].color().red(),
+                        corners[2].color().red()),
+                between(
+                        point,
+                        corners[0].color().green(),
+                        corners[1].color().green(),
+                        corners[2].color().green()),
+                between(
+                        point,
+                        corners[0].color().blue(),
+                        corners[1].color().blue(),
+                        corners[2].color().blue()));
+        return material.textured(material.color().times(vertex), u(point), v(point));
     }
 
     @Override
     public Color albedo(Vector point) {
-        return material.textured(
-                material.color(),
-                between(point, corners[0].u(), corners[1].u(), corners[2].u()),
-                between(point, corners[0].v(), corners[1].v(), corners[2].v()));
+        return maps.unlit() ? Color.BLACK : base(point);
+    }
+
+    @Override
+    public Color passing(Vector point) {
+        return maps.blends() ? new Color(1, 1, 1) : albedo(point);
+    }
+
+    @Override
+    public double open(Vector point) {
+        return maps.open(u(point), v(point));
+    }
+
+    @Override
+    public OracleMaterial material(Vector point) {
+        OracleMaterial varied = maps.at(material, u(point), v(point), vertexOpacity(point));
+        return maps.unlit() ? varied.withEmission(base(point)) : varied;
     }
 }

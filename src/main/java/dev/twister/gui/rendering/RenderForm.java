@@ -54,6 +54,7 @@ final class RenderForm extends GridPane {
     private final PlainBox<Picture> shown = new PlainBox<>("render-show", ShownPictures::label, this::check);
     private final PlainBox<RenderFormat> format = new PlainBox<>("render-format", RenderFormat::label, this::check);
     private final Label estimate = new Label();
+    private final DenoiserChoice denoiser = new DenoiserChoice(this::check);
     private Optional<Long> document = Optional.empty();
     private int rows;
 
@@ -79,6 +80,7 @@ final class RenderForm extends GridPane {
         addRow("S_hadow samples", shadows, shadows);
         addRow("En_gine", engine, engine);
         addRow("Sho_w", shown, shown);
+        addRow("De_noise", denoiser.box(), denoiser.box());
         addRow("_Format", format, format);
         estimate.setId("render-estimate");
         estimate.getStyleClass().add("hint");
@@ -119,6 +121,7 @@ final class RenderForm extends GridPane {
             films.startAnew();
         }
         films.follow(scene);
+        denoiser.look();
     }
 
     /** Shows how much the present order is. */
@@ -143,9 +146,10 @@ final class RenderForm extends GridPane {
     }
 
     private Optional<RenderOrder> order(Scene scene, Picture picture, EngineOffer chosen, Path file) {
-        return film.isSelected()
+        Optional<RenderOrder> order = film.isSelected()
                 ? films.film().map(plan -> WindowOrder.film(scene, picture, chosen, plan, file))
                 : Optional.of(WindowOrder.picture(scene, picture, chosen, movedBodies(scene), file));
+        return order.map(plain -> plain.denoisedBy(denoiser.choice()));
     }
 
     private Rendering settings(Rendering usual, PictureSize wanted) {

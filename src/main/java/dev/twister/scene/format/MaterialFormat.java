@@ -3,15 +3,21 @@ package dev.twister.scene.format;
 import static dev.twister.scene.format.Field.required;
 import static dev.twister.scene.format.Field.sparse;
 
+import dev.twister.scene.Alpha;
 import dev.twister.scene.Attenuation;
 import dev.twister.scene.Emission;
+import dev.twister.scene.ImageMap;
+import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.format.ValueType.Choice;
+import dev.twister.scene.format.ValueType.Converted;
 import dev.twister.scene.format.ValueType.Decimal;
 import dev.twister.scene.format.ValueType.FilePath;
 import dev.twister.scene.format.ValueType.Flag;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -85,8 +91,7 @@ record MaterialFormat(List<Field<Material, ?>> fields) {
 
     /** Of bodies that have their colors from elsewhere. */
     static MaterialFormat uncolored(FilePath file) {
-        return new MaterialFormat(
-                Stream.concat(NUMBERS.stream(), Stream.of(texture(file))).toList());
+        return new MaterialFormat(Stream.concat(NUMBERS.stream(), images(file)).toList());
     }
 
     /** The same fields, any of which may be left out. */
@@ -102,8 +107,33 @@ record MaterialFormat(List<Field<Material, ?>> fields) {
                 .toList();
     }
 
-    private static Field<Material, ?> texture(FilePath file) {
-        return sparse("texture", ValueType.present(file), Material::texture, Material::withTexture)
-                .from(2);
+    private static Stream<Field<Material, ?>> images(FilePath file) {
+        ValueType<Optional<ImageMap>> map = ValueType.present(new Converted<>(file, ImageMap::of, ImageMap::file));
+        return Stream.of(
+                sparse("texture", ValueType.present(file), Material::texture, Material::withTexture)
+                        .from(2),
+                map("emissionMap", map, Maps::emission, Maps::withEmission),
+                map(
+                        "roughnessMap",
+                        map,
+                        Maps::roughness,
+                        (maps, value) -> maps.withRoughness(value).withMetallic(value)),
+                map("normalMap", map, Maps::normal, Maps::withNormal),
+                sparse("alphaMode", new Choice<>(Alpha.Mode.class), Alpha::mode, Alpha::withMode)
+                        .within(Material::alpha, Material::withAlpha)
+                        .from(3),
+                sparse("alphaCutoff", new Decimal(SceneLimits.ALBEDO), Alpha::cutoff, Alpha::withCutoff)
+                        .within(Material::alpha, Material::withAlpha)
+                        .from(3));
+    }
+
+    private static Field<Material, ?> map(
+            String name,
+            ValueType<Optional<ImageMap>> type,
+            Function<Maps, Optional<ImageMap>> getter,
+            BiFunction<Maps, Optional<ImageMap>, Maps> wither) {
+        return sparse(name, type, getter, wither)
+                .within(Material::maps, Material::withMaps)
+                .from(3);
     }
 }

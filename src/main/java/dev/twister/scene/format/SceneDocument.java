@@ -27,6 +27,7 @@ final class SceneDocument {
         LightRules.check(fields);
         KeyframeRules.check(scene.camera().keyframes(), fields.get("camera").fields());
         ViewRules.check(scene.views(), fields);
+        AlphaRules.check(scene, fields);
         GroundRules.check(scene.ground(), fields.get("plane").fields());
         ShapeRules.check(scene.meshes(), fields);
         scene.pour()

@@ -130,7 +130,7 @@ public final class Declined {
         int number = (int) looks[Layout.LOOK_STRIDE * body + Layout.LOOK_MAPS];
         int row = maps + Layout.MAPS_STRIDE * (number - 1);
         boolean found = false;
-        for (int map = Layout.MAPS_EMISSION; map < Layout.MAPS_ALPHA && number > 0; map += Layout.MAPS_EMISSION) {
+        for (int map = Layout.MAPS_EMISSION; map < Layout.MAPS_ALPHA && number > 0; map += Layout.MAP_STRIDE) {
             found |= looks[row + map + Layout.MAP_WIDTH] > 0;
         }
         return found || (number > 0 && looks[row + Layout.MAPS_UNLIT] > 0);
