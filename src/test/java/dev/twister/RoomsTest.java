@@ -151,6 +151,18 @@ class RoomsTest {
                         "gui.model",
                         "gui.studio"),
                 room(
+                        "gui.gallery",
+                        "files",
+                        "scene",
+                        "scene.format",
+                        "world",
+                        "engine",
+                        "image",
+                        "gui.controls",
+                        "gui.files",
+                        "gui.model",
+                        "gui.studio"),
+                room(
                         "gui.picture",
                         "scene",
                         "world",

@@ -1,9 +1,12 @@
 package dev.twister.cli;
 
 import dev.twister.engine.Engines;
+import dev.twister.gui.FirstScene;
 import dev.twister.gui.Gui;
 import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.studio.OpenedScene;
+import dev.twister.scene.SceneException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -17,7 +20,7 @@ import picocli.CommandLine.Parameters;
         description = "Opens the window, as 'twister' without a command does.",
         footer = {"", "Examples:", "  twister gui mirrors", "  twister gui my-scene.json --engine vector"})
 final class GuiCommand implements Callable<Integer> {
-    static final String FIRST_SCENE = "benchmark";
+    static final String FIRST_SCENE = "weekend";
 
     @Parameters(
             paramLabel = "SCENE",
@@ -45,10 +48,22 @@ final class GuiCommand implements Callable<Integer> {
         engineId.filter(id -> !Engines.isDevice(id))
                 .ifPresent(id -> Engines.offer(id).check());
         Gui.run(
-                panorama.map(sky -> OpenedScene.readUnder(sky, file)).orElseGet(() -> OpenedScene.read(file)),
-                sceneName.isPresent() && panorama.isEmpty(),
+                panorama.map(sky -> FirstScene.of(OpenedScene.readUnder(sky, file)))
+                        .orElseGet(() -> first(file)),
                 engineId,
                 new ShippedFolders(Home.scenes(), Home.skyboxes()));
         return ExitCode.OK;
+    }
+
+    /** The window says what is wrong with a file that is there: nobody sees the last line of a double click. */
+    private FirstScene first(Path file) {
+        try {
+            return new FirstScene(OpenedScene.read(file), sceneName.isPresent(), Optional.empty());
+        } catch (SceneException problem) {
+            if (sceneName.isEmpty() || !Files.isRegularFile(file)) {
+                throw problem;
+            }
+            return new FirstScene(OpenedScene.read(SceneFiles.find(FIRST_SCENE)), false, Optional.of(file));
+        }
     }
 }

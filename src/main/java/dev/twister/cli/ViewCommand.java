@@ -1,6 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.engine.Engines;
+import dev.twister.gui.FirstScene;
 import dev.twister.gui.Gui;
 import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.studio.OpenedScene;
@@ -70,8 +71,7 @@ final class ViewCommand implements Callable<Integer> {
             engineId.filter(id -> !Engines.isDevice(id))
                     .ifPresent(id -> Engines.offer(id).check());
             Gui.run(
-                    new OpenedScene(MeshStage.sceneFile(file), scene),
-                    false,
+                    FirstScene.of(new OpenedScene(MeshStage.sceneFile(file), scene)),
                     engineId,
                     new ShippedFolders(Home.scenes(), Home.skyboxes()));
         }

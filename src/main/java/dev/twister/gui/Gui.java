@@ -8,7 +8,6 @@ import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.DroppedFile;
 import dev.twister.gui.model.SettingsStore;
 import dev.twister.gui.model.WindowSettings;
-import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -28,13 +27,11 @@ public final class Gui {
     /**
      * Shows the window and returns when it has been closed.
      *
-     * @param opened shown first
-     * @param asked whether the user named it, so that it is listed among recent scenes
      * @param engine the id of the first engine; empty for the one last chosen in the window
      * @param shipped the scenes that are offered and never overwritten
      * @throws NoDisplayException if there is no screen
      */
-    public static void run(OpenedScene opened, boolean asked, Optional<String> engine, ShippedFolders shipped) {
+    public static void run(FirstScene first, Optional<String> engine, ShippedFolders shipped) {
         Display.check();
         Language.choose();
         // PNG and JPEG skies are read by AWT, which must not open a display besides JavaFX's.
@@ -44,7 +41,7 @@ public final class Gui {
         double textScale = TextScale.ofSystem();
         CompletableFuture<Runnable> end = new CompletableFuture<>();
         try {
-            Platform.startup(() -> open(opened, asked, engine, shipped, textScale, end));
+            Platform.startup(() -> open(first, engine, shipped, textScale, end));
         } catch (RuntimeException | LinkageError problem) {
             throw new NoDisplayException(Display.explain(problem), problem);
         }
@@ -62,8 +59,7 @@ public final class Gui {
     }
 
     private static void open(
-            OpenedScene opened,
-            boolean asked,
+            FirstScene first,
             Optional<String> engine,
             ShippedFolders shipped,
             double textScale,
@@ -75,7 +71,7 @@ public final class Gui {
             String id = engine.orElse(found.settings().get(WindowSettings.ENGINE));
             // Looking for engines takes TornadoVM a second: that is left to the thread that opens this one.
             EngineOffer offer = EngineOffer.working(id, "", "", () -> Engines.open(id));
-            Studio studio = Studio.start(opened, offer);
+            Studio studio = Studio.start(first.opened(), offer);
             MainWindow window = new MainWindow(
                     stage,
                     studio,
@@ -85,13 +81,14 @@ public final class Gui {
                             found,
                             AutosaveFolder.ofThisUser(),
                             shipped,
-                            Optional.of(opened.file().path()).filter(_ -> asked),
+                            Optional.of(first.opened().file().path()).filter(_ -> first.asked()),
                             textScale));
             stage.setOnHidden(_ -> {
                 window.close();
                 end.complete(window::awaitFiles);
             });
             window.show();
+            first.toOpen().ifPresent(window.workbench().files()::open);
         } catch (RuntimeException | LinkageError problem) {
             end.completeExceptionally(problem);
         }

@@ -7,9 +7,9 @@ import dev.twister.gui.picture.FrameTimesView;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.Studio;
 import java.util.concurrent.TimeUnit;
-import javafx.animation.AnimationTimer;
 import javafx.geometry.Pos;
 import javafx.scene.Scene;
+import javafx.scene.input.InputEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.StackPane;
 import javafx.scene.paint.Color;
@@ -35,7 +35,7 @@ public final class MainWindow implements AutoCloseable {
     private final HeapKeeper heap = new HeapKeeper();
     private final Reading reading = new Reading();
     private final Workbench workbench;
-    private final AnimationTimer timer;
+    private final Pulses pulses;
     private final Runnable afterLayout;
     private long pulseNanos;
     private PulseListener listener = (_, _) -> {};
@@ -67,17 +67,16 @@ public final class MainWindow implements AutoCloseable {
             scene.getStylesheets().add(TextScale.styleSheet(options.textScale()));
         }
         stage.setScene(scene);
+        status.clearAtNextAction(scene);
         CameraKeys keys = CameraKeys.install(scene, stage.focusedProperty(), studio);
         AltKey.install(scene);
         CameraMouse.install(picture, studio);
         workbench = new Workbench(stage, root, middle, picture, frameTimes, studio, reading, options);
+        status.add(workbench.renderStatus());
         workbench.qUpProperty().subscribe(keys::setQUp);
-        timer = new AnimationTimer() {
-            @Override
-            public void handle(long now) {
-                pulse();
-            }
-        };
+        pulses = new Pulses(this::pulse, () -> studio.isBusy() || workbench.isBusy());
+        scene.addEventFilter(InputEvent.ANY, _ -> pulses.wake());
+        stage.focusedProperty().subscribe(_ -> pulses.wake());
         afterLayout = this::endPulse;
         scene.addPostLayoutPulseListener(afterLayout);
     }
@@ -94,7 +93,7 @@ public final class MainWindow implements AutoCloseable {
     void show() {
         stage.show();
         picture.requestFocus();
-        timer.start();
+        pulses.wake();
     }
 
     private void pulse() {
@@ -115,13 +114,14 @@ public final class MainWindow implements AutoCloseable {
     }
 
     void onPulse(PulseListener newListener) {
+        pulses.wake();
         listener = newListener;
     }
 
     /** Ends all that is the window's but {@linkplain #awaitFiles what is still being written}. */
     @Override
     public void close() {
-        timer.stop();
+        pulses.close();
         stage.getScene().removePostLayoutPulseListener(afterLayout);
         status.close();
         workbench.close();

@@ -17,6 +17,7 @@ import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Shape;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.HashMap;
@@ -41,9 +42,11 @@ import javafx.scene.input.KeyEvent;
 final class MenuView extends MenuBar {
     /** Each has a separator above it. */
     private static final Set<Command> BELOW_A_LINE = EnumSet.of(
+            Command.SAVE,
             Command.SCREENSHOT,
             Command.QUIT,
-            Command.INSERT,
+            Command.DUPLICATE,
+            Command.INSERT_LIGHT,
             Command.SELECT_ALL,
             Command.RESET,
             Command.INSPECT,
@@ -86,14 +89,14 @@ final class MenuView extends MenuBar {
             if (group == Group.VIEW) {
                 menu.getItems().addFirst(shownMenu(studio));
             }
-            if (group == Group.EDIT) {
-                int mesh = menu.getItems().indexOf(items.get(Command.INSERT_MESH));
-                menu.getItems().add(mesh + 1, shapesMenu(insertShape));
+            if (group == Group.ADD) {
+                menu.getItems().addAll(1, shapes(insertShape));
             }
             getMenus().add(menu);
         }
         recent.setId("recent");
-        getMenus().getFirst().getItems().add(1, recent);
+        List<MenuItem> file = getMenus().getFirst().getItems();
+        file.add(1 + file.indexOf(items.get(Command.OPEN)), recent);
         underline(getMenus());
         check(Command.MOVE, studio.motion().motionProperty().map(Motion::isOn));
         check(Command.PAUSE, studio.motion().motionProperty().map(motion -> motion.isOn() && !motion.running()));
@@ -168,17 +171,16 @@ final class MenuView extends MenuBar {
         return menu;
     }
 
-    private static Menu shapesMenu(Consumer<Shape.Kind> insert) {
-        Menu menu = new Menu("Insert shape");
-        menu.setId("menu-insert-shape");
+    private static List<MenuItem> shapes(Consumer<Shape.Kind> insert) {
+        List<MenuItem> shapes = new ArrayList<>();
         for (Shape.Kind kind : Shape.Kind.values()) {
             String name = Shape.of(kind, 1).name();
             MenuItem item = new MenuItem(name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1));
             item.setId("menu-insert-" + name);
             item.setOnAction(_ -> insert.accept(kind));
-            menu.getItems().add(item);
+            shapes.add(item);
         }
-        return menu;
+        return shapes;
     }
 
     private Menu menu(Group group, CommandActions actions) {

@@ -7,8 +7,12 @@ import dev.twister.gui.studio.StatusText;
 import dev.twister.gui.studio.Studio;
 import javafx.animation.PauseTransition;
 import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.Scene;
 import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -17,11 +21,14 @@ import javafx.util.Duration;
 /** One line under the picture: what is drawn, and what is going on. */
 final class StatusLine extends HBox implements AutoCloseable {
     private static final Duration NOTICE_TIME = Duration.seconds(10);
+    private static final Duration LEAST_TIME = Duration.seconds(1);
 
+    private final Studio studio;
     private final ReadingView readingView;
     private final PauseTransition goodForAWhile = new PauseTransition(NOTICE_TIME);
 
     StatusLine(Studio studio, Reading reading) {
+        this.studio = studio;
         getStyleClass().add("status");
         setAlignment(Pos.CENTER_LEFT);
         Label facts = label("facts");
@@ -44,6 +51,29 @@ final class StatusLine extends HBox implements AutoCloseable {
             }
         });
         studio.drawingProperty().subscribe(status -> message.setText(StatusText.message(status)));
+    }
+
+    /** Adds what goes on in the background. */
+    void add(Node activity) {
+        getChildren().add(activity);
+    }
+
+    /** Clears an old notice when a key or a button is pressed. */
+    void clearAtNextAction(Scene scene) {
+        scene.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            if (!event.getCode().isModifierKey()) {
+                clearOld();
+            }
+        });
+        scene.addEventFilter(MouseEvent.MOUSE_PRESSED, _ -> clearOld());
+    }
+
+    /** A notice that has just come was not read yet. */
+    private void clearOld() {
+        if (goodForAWhile.getCurrentTime().greaterThan(LEAST_TIME)) {
+            goodForAWhile.stop();
+            studio.notice("");
+        }
     }
 
     /** Called in every pulse. */

@@ -19,6 +19,8 @@ import dev.twister.gui.files.Reading;
 import dev.twister.gui.files.ReadingView;
 import dev.twister.gui.files.SceneSaving;
 import dev.twister.gui.files.SettingsKeeper;
+import dev.twister.gui.files.TitleDialog;
+import dev.twister.gui.gallery.SceneGallery;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.ShownPictures;
 import dev.twister.gui.model.WindowSettings;
@@ -48,6 +50,7 @@ import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.geometry.Rectangle2D;
+import javafx.scene.Node;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.StackPane;
@@ -71,6 +74,7 @@ final class Workbench implements AutoCloseable {
     private final Reading reading;
     private final Errands errands = new Errands();
     private final FileActions files;
+    private final SceneGallery gallery;
     private final SceneSaving saving;
     private final AssetActions assets;
     private final AutosaveKeeper autosaves;
@@ -112,7 +116,9 @@ final class Workbench implements AutoCloseable {
         saving = new SceneSaving(
                 studio, options.files(), options.shipped(), dialogs, settings, errands, this::takeTyped);
         assets = new AssetActions(studio, options.files(), dialogs, settings, reading);
-        files = new FileActions(studio, options.files(), options.shipped(), dialogs, settings, reading, saving, assets);
+        files = new FileActions(
+                studio, options.files(), options.shipped(), dialogs, settings, reading, saving, assets, errands);
+        gallery = new SceneGallery(stage, options.shipped(), settings, files);
         autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
@@ -167,7 +173,7 @@ final class Workbench implements AutoCloseable {
         bodyMouse.axisProperty().subscribe(handles::point);
         handles.onProperty().bind(settings.settingsProperty().map(kept -> kept.get(WindowSettings.AXIS_HANDLES)));
         menu.check(Command.AXIS_HANDLES, handles.onProperty());
-        PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
+        PanelKeys.install(root.getScene(), panel, picture, () -> showPanel(true));
         DropTarget.install(root.getScene(), files);
         errands.run(
                 () -> SkyList.in(options.shipped().skyboxes()),
@@ -206,6 +212,11 @@ final class Workbench implements AutoCloseable {
         comparison.pulse(nanos);
     }
 
+    /** Whether something goes on that is shown in every pulse. */
+    boolean isBusy() {
+        return comparison.isOn() || pictures.recorderProperty().get().isPresent();
+    }
+
     /** Keeps the settings, and begins nothing more; {@link #awaitFiles} waits for what is still being written. */
     @Override
     public void close() {
@@ -216,6 +227,7 @@ final class Workbench implements AutoCloseable {
                 kept -> (filling ? kept : kept.withSize(width, height)).with(WindowSettings.MAXIMIZED, filling));
         settings.write();
         help.close();
+        gallery.close();
         comparison.close();
         pictures.finish();
         render.finish();
@@ -234,6 +246,11 @@ final class Workbench implements AutoCloseable {
         render.close();
         errands.close();
         autosaves.close();
+    }
+
+    /** The progress of renderings, for the status line. */
+    Node renderStatus() {
+        return render.status();
     }
 
     Panel panel() {
@@ -263,9 +280,12 @@ final class Workbench implements AutoCloseable {
 
     private CommandActions actions(Runnable resetAll) {
         return new CommandActions()
+                .on(Command.NEW, files::newScene)
+                .on(Command.GALLERY, gallery::show)
                 .on(Command.OPEN, files::open)
                 .on(Command.SAVE, saving::save)
                 .on(Command.SAVE_AS, saving::saveAs)
+                .on(Command.TITLE, () -> TitleDialog.show(stage, studio))
                 .on(Command.SCREENSHOT, pictures::screenshot)
                 .on(Command.RENDER, render::show)
                 .on(Command.RECORD, pictures::toggleRecording)
@@ -280,6 +300,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)
                 .on(Command.DELETE, bodies::delete)
+                .on(Command.DROP, bodies::drop)
                 .on(Command.SELECT_ALL, studio.selection()::selectAll)
                 .on(Command.NEXT, () -> bodies.selectAlong(1))
                 .on(Command.PREVIOUS, () -> bodies.selectAlong(-1))

@@ -40,7 +40,9 @@ final class EmissionMeans {
 
     private double[] mean(int map) {
         int start = Layout.ALIGNMENT * (int) looks[map + Layout.MAP_START];
-        int count = (int) looks[map + Layout.MAP_WIDTH] * (int) looks[map + Layout.MAP_HEIGHT];
+        int width = (int) looks[map + Layout.MAP_WIDTH];
+        int height = (int) looks[map + Layout.MAP_HEIGHT];
+        int count = width * height;
         double[] mean = new double[Layout.TEXEL_STRIDE];
         for (int i = 0; i < Layout.TEXEL_STRIDE * count; i++) {
             mean[i % Layout.TEXEL_STRIDE] += images[start + i] / (double) count;

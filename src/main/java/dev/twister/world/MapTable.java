@@ -187,7 +187,8 @@ final class MapTable {
 
     @SuppressWarnings("EnumOrdinal") // a test checks that the kernel's numbers match the constants' order
     private void write(float[] looks, int at, ImageMap map, MapUse use, MapTexels texels) {
-        looks[at + Layout.MAP_START] = texels.start(use) / Layout.ALIGNMENT;
+        int start = texels.start(use) / Layout.ALIGNMENT;
+        looks[at + Layout.MAP_START] = start;
         looks[at + Layout.MAP_WIDTH] = use.image(images).width();
         looks[at + Layout.MAP_HEIGHT] = use.image(images).height();
         Sampler sampler = map.sampler();

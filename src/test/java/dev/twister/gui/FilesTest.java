@@ -15,8 +15,11 @@ import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.mesh.MeshException;
 import dev.twister.mesh.MeshReader;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneBodies;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.Title;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.format.SceneWriter;
 import dev.twister.sky.SkyException;
@@ -30,10 +33,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
+import javafx.scene.control.Button;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.DialogPane;
+import javafx.scene.control.TextArea;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
+import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterAll;
@@ -379,9 +385,72 @@ class FilesTest {
 
         driver.files.choose(sky);
         drop(file);
-        answer(awaitDialog("sky-question"), "Choose a sky…");
         answer(awaitDialog("save-question"), "Don't save");
+        answer(awaitDialog("sky-question"), "Choose a sky…");
         driver.await(() -> driver.studio.scene().sky().file().equals(sky));
+    }
+
+    @Test
+    void aCopyElsewhereHasItsOwnNameAndNoSchemaThatIsNotThere() throws IOException {
+        Path copy = Files.createDirectories(folder.resolve("mine")).resolve("my room.json");
+        driver.files.choose(copy);
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
+        driver.await(() -> driver.studio.document().file().equals(copy));
+
+        assertThat(copy).content().doesNotContain("$schema");
+        assertThat(scene().title().name()).isEqualTo("my room");
+        assertThat(SceneReader.read(copy)).isEqualTo(scene());
+    }
+
+    @Test
+    void aFileThatIsOpenedIsReadAfterTheQuestionAboutChanges() throws IOException {
+        Path broken = Files.writeString(folder.resolve("broken.json"), "{");
+        change();
+        drop(broken);
+        answer(awaitDialog("save-question"), "Don't save");
+        answer(awaitDialog("complaint"), "OK");
+    }
+
+    @Test
+    void aNewSceneIsAFloorASkyAndALightAndAsksWhereToSaveIt() {
+        driver.type(Command.NEW.keys());
+        assertThat(scene().bodies()).isEqualTo(SceneBodies.NONE);
+        assertThat(scene().rendering().integrator()).isEqualTo(Integrator.PATH);
+        driver.awaitCurrentPicture();
+        Path mine = folder.resolve("scenes").resolve("mine.json");
+        driver.files.choose(mine);
+        driver.type(Command.SAVE.keys());
+        driver.await(() -> driver.studio.document().file().equals(mine));
+        assertThat(SceneReader.read(mine)).isEqualTo(scene());
+        assertThat(scene().title().name()).isEqualTo("mine");
+    }
+
+    @Test
+    void theGalleryOpensAShippedScene() {
+        driver.type(Command.GALLERY.keys());
+        driver.await(() -> tile("spheres-100").isPresent());
+        driver.run(() -> tile("spheres-100").orElseThrow().fire());
+        driver.await(() -> driver.studio.document().file().endsWith("spheres-100.json"));
+    }
+
+    private static Optional<Button> tile(String name) {
+        return Window.getWindows().stream()
+                .flatMap(window -> window.getScene().getRoot().lookupAll(".gallery-tile").stream())
+                .map(Button.class::cast)
+                .filter(button -> button.getText().equals(name))
+                .findFirst();
+    }
+
+    @Test
+    void nameAndDescriptionAreEdited() {
+        driver.type(Command.TITLE.keys());
+        DialogPane dialog = awaitDialog("title-dialog");
+        driver.run(() -> {
+            ((TextField) dialog.lookup("#title-name")).setText("mine");
+            ((TextArea) dialog.lookup("#title-description")).setText("Of my own.");
+        });
+        answer(dialog, "OK");
+        assertThat(scene().title()).isEqualTo(new Title("mine", "Of my own."));
     }
 
     @Test

@@ -143,7 +143,6 @@ class RenderWindowTest {
         try (WindowDriver driver = open(WindowScenes.tiny(), slowAtRendering(mayDraw))) {
             driver.files.choose(folder.resolve("picture.png"));
             press(driver, "render-start");
-            assertThat(isDisabled("render-start")).isTrue();
 
             driver.run(() -> driver.stage.fireEvent(new WindowEvent(driver.stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
             driver.answer(driver.awaitDialog("render-question"), "Keep rendering");
@@ -156,6 +155,40 @@ class RenderWindowTest {
             assertThat(isDisabled("render-start")).isFalse();
         } finally {
             mayDraw.countDown();
+        }
+    }
+
+    @Test
+    void aSecondRenderWaitsAndTheStatusLineShowsTheFirst() {
+        CountDownLatch mayDraw = new CountDownLatch(1);
+        try (WindowDriver driver = open(WindowScenes.tiny(), slowAtRendering(mayDraw))) {
+            driver.files.choose(folder.resolve("first.png"));
+            press(driver, "render-start");
+            driver.files.choose(folder.resolve("second.png"));
+            press(driver, "render-start");
+            assertThat(WindowDriver.call(() -> find("render-waiting", Parent.class)
+                            .getChildrenUnmodifiable()
+                            .size()))
+                    .isEqualTo(1);
+            press(driver, "render-close");
+            driver.await(() -> driver.text("rendering").startsWith("first.png: "));
+            assertThat(driver.text("rendering")).endsWith(" · 1 waiting");
+            mayDraw.countDown();
+            driver.await(() ->
+                    driver.notice().startsWith("Rendered") && driver.notice().endsWith("second.png"));
+            assertThat(folder.toFile().list()).containsExactlyInAnyOrder("first.png", "second.png");
+            driver.await(() ->
+                    !driver.find("#cancel-rendering", Node.class).getParent().isVisible());
+        } finally {
+            mayDraw.countDown();
+        }
+    }
+
+    @Test
+    void tellsHowMuchItIsBeforeItStarts() {
+        try (WindowDriver driver = open()) {
+            type(driver, "render-samples-per-pixel", "1000");
+            driver.await(() -> text("render-estimate").startsWith("1,000 samples per pixel, about "));
         }
     }
 

@@ -59,7 +59,7 @@ public final class WindowDriver implements AutoCloseable {
         for (String heading : settings.get(WindowSettings.FOLDED)) {
             settings = settings.withFolded(heading, false);
         }
-        return settings.with(WindowSettings.HINT_SEEN, true);
+        return settings.with(WindowSettings.HINT_SEEN, true).with(WindowSettings.FRAME_TIMES_SHOWN, true);
     }
 
     private static final AutosaveFolder NO_AUTOSAVES = new AutosaveFolder(Optional.empty());
@@ -170,7 +170,7 @@ public final class WindowDriver implements AutoCloseable {
             driver.stage.setWidth(LARGE);
             driver.stage.setHeight(LARGE);
         });
-        driver.type(KeyCode.TAB);
+        driver.type(KeyCode.F9);
         driver.awaitCurrentPicture();
         return driver;
     }

@@ -26,7 +26,7 @@ class LinearFramesTest {
             Map.of("bokeh", 2000, "cornell", 200, "mirrors", 1000, "spheres-10000", 200);
 
     static List<String> names() {
-        return ShippedScenes.names();
+        return ShippedScenes.oracleNames();
     }
 
     @ParameterizedTest

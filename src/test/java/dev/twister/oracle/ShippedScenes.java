@@ -40,6 +40,11 @@ public final class ShippedScenes {
         }
     }
 
+    /** Those that the oracle knows: it has neither height maps nor maps on spheres. */
+    static List<String> oracleNames() {
+        return names().stream().filter(name -> !name.equals("maps")).toList();
+    }
+
     /** The shipped scene in a picture of 320 x 180; of few samples if paths are traced. */
     public static LitScene small(String name) {
         LitScene shipped = read(name);

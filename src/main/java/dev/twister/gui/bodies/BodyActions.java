@@ -3,6 +3,7 @@ package dev.twister.gui.bodies;
 import dev.twister.gui.controls.Problems;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyGroup;
+import dev.twister.gui.model.DroppedBodies;
 import dev.twister.gui.model.NewLight;
 import dev.twister.gui.model.NewMesh;
 import dev.twister.gui.model.NewSphere;
@@ -77,6 +78,19 @@ public final class BodyActions {
                     insert("paste", pasted);
                 },
                 () -> studio.notice("Nothing has been copied"));
+    }
+
+    /** Puts the selected spheres and meshes on the ground. */
+    public void drop() {
+        SelectedBodies selected = studio.selection().bodies();
+        if (selected.where(body -> BodyEdits.isSolid(studio.scene(), body)).count() == 0) {
+            studio.notice("Select a sphere or a mesh to put it on the ground");
+        } else {
+            studio.edit(
+                    "drop to the ground",
+                    scene -> DroppedBodies.of(scene, studio.bodies().meshes(), selected.bodies()));
+            studio.endGesture();
+        }
     }
 
     public void delete() {

@@ -86,6 +86,7 @@ public final class FilmBar extends HBox {
         line.setMinWidth(0);
         setHgrow(line, Priority.ALWAYS);
         time.setId("film-time");
+        time.setAccessibleText("Time in the film, in seconds");
         time.setPrefColumnCount(TIME_COLUMNS);
         time.setMinWidth(USE_PREF_SIZE);
         time.setTooltip(Tooltips.of("Time in the film, in seconds. Between keyframes the camera goes there."));
@@ -105,6 +106,7 @@ public final class FilmBar extends HBox {
             }
         });
         slider.setId("film-slider");
+        slider.setAccessibleText("Time in the film, in seconds");
         slider.setTooltip(Tooltips.of("Time in the film. Between keyframes the camera goes along."));
         slider.valueProperty().subscribe((_, value) -> {
             if (!showing) {
@@ -113,6 +115,7 @@ public final class FilmBar extends HBox {
         });
         slider.valueChangingProperty().subscribe(_ -> showRange());
         list.setId("film-list");
+        list.setAccessibleText("Keyframes");
         list.setTooltip(Tooltips.of("The keyframes. Choose one to go to it."));
         list.valueProperty().subscribe((_, chosen) -> {
             if (!showing && chosen != null && chosen.index() >= 0) {

@@ -1,5 +1,6 @@
 package dev.twister.gui.camera;
 
+import dev.twister.gui.model.KeyframeEdits;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.CameraKeyframe;
 import java.util.ArrayList;
@@ -7,7 +8,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import javafx.css.PseudoClass;
+import javafx.scene.AccessibleRole;
 import javafx.scene.control.Slider;
+import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
 import javafx.scene.shape.Polygon;
@@ -48,6 +51,9 @@ public final class KeyframeMarks extends Pane {
         }
         for (int index = 0; index < marks.size(); index++) {
             marks.get(index).pseudoClassStateChanged(PRESENT, present.equals(OptionalInt.of(index)));
+            marks.get(index)
+                    .setAccessibleText(
+                            "Keyframe at " + KeyframeEdits.text(now.get(index).seconds()) + " s");
         }
         place();
     }
@@ -61,6 +67,14 @@ public final class KeyframeMarks extends Pane {
         Polygon mark = new Polygon(0, -HALF, HALF, 0, 0, HALF, -HALF, 0);
         mark.setManaged(false);
         mark.getStyleClass().add("keyframe");
+        mark.setFocusTraversable(true);
+        mark.setAccessibleRole(AccessibleRole.BUTTON);
+        mark.setOnKeyPressed(event -> {
+            if (event.getCode() == KeyCode.ENTER || event.getCode() == KeyCode.SPACE) {
+                studio.film().goToKeyframe(index);
+                event.consume();
+            }
+        });
         mark.setOnMousePressed(event -> {
             studio.film().goToKeyframe(index);
             event.consume();

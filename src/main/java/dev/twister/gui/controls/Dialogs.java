@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import javafx.scene.control.Alert;
 import javafx.scene.control.Alert.AlertType;
+import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.DialogPane;
@@ -87,12 +88,14 @@ public final class Dialogs {
     /** Asks whether to cancel a render; continuing is the default. */
     public void askToCancelRender(String name, Answer cancel) {
         ButtonType yes = new ButtonType(cancel.label(), ButtonData.NO);
+        ButtonType keep = new ButtonType("Keep rendering", ButtonData.CANCEL_CLOSE);
         Alert alert = alert(
                 AlertType.CONFIRMATION,
                 "Cancel the render?",
                 name + " is not finished. It will be lost if you close the window now.");
         alert.getDialogPane().setId("render-question");
-        alert.getButtonTypes().setAll(List.of(yes, new ButtonType("Keep rendering", ButtonData.CANCEL_CLOSE)));
+        alert.getButtonTypes().setAll(List.of(yes, keep));
+        ((Button) alert.getDialogPane().lookupButton(keep)).setDefaultButton(true);
         alert.setOnHidden(_ -> {
             if (yes.equals(alert.getResult())) {
                 cancel.action().run();

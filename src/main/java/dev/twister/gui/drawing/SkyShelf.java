@@ -136,6 +136,16 @@ public final class SkyShelf {
         }
     }
 
+    /** Reads a file again as {@link #refresh(Path)} does; returns what is wrong with it. */
+    public Optional<RuntimeException> problemOf(Path file) {
+        try {
+            refresh(file);
+            return Optional.empty();
+        } catch (SkyException problem) {
+            return Optional.of(problem);
+        }
+    }
+
     /**
      * Reads a scene's sky and textures again.
      *

@@ -6,6 +6,9 @@ import dev.twister.gui.controls.Problems;
 import dev.twister.gui.model.Autosave;
 import dev.twister.gui.model.DroppedFile;
 import dev.twister.gui.model.EditedFile;
+import dev.twister.gui.model.NewScene;
+import dev.twister.gui.model.SceneHistory;
+import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import dev.twister.mesh.MeshPose;
@@ -18,6 +21,7 @@ import dev.twister.sky.ShippedSky;
 import dev.twister.sky.SkyException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Consumer;
 
 /** Opens scenes, meshes and panoramas: from the menu, by a key, or dropped on the window. */
 public final class FileActions {
@@ -29,6 +33,7 @@ public final class FileActions {
     private final Reading reading;
     private final SceneSaving saving;
     private final AssetActions assets;
+    private final Errands errands;
 
     public FileActions(
             Studio studio,
@@ -38,7 +43,9 @@ public final class FileActions {
             SettingsKeeper settings,
             Reading reading,
             SceneSaving saving,
-            AssetActions assets) {
+            AssetActions assets,
+            Errands errands) {
+        this.errands = errands;
         this.studio = studio;
         this.choice = choice;
         this.shipped = shipped;
@@ -47,6 +54,18 @@ public final class FileActions {
         this.reading = reading;
         this.saving = saving;
         this.assets = assets;
+    }
+
+    /** Shows a new scene, once changes are saved or discarded. */
+    public void newScene() {
+        Path sky = FileNames.absolute(shipped.skyboxes().resolve(ShippedSky.DAY.fileName()));
+        Path file = Path.of("").toAbsolutePath().resolve(NewScene.FILE_NAME);
+        saving.afterSaving(() -> studio.show(new OpenedScene(file, NewScene.of(sky))));
+    }
+
+    /** Lists the shipped scenes in the background; tells nothing if there are none. */
+    public void listShipped(Consumer<List<Path>> then) {
+        errands.run(shipped::list, then, _ -> {});
     }
 
     /** Asks for a file and opens it. */
@@ -64,9 +83,9 @@ public final class FileActions {
                 () -> DroppedFile.kind(file),
                 kind -> {
                     switch (kind) {
-                        case SCENE -> openScene(file);
+                        case SCENE -> saving.afterSaving(() -> openScene(file));
                         case SKYBOX -> assets.useSky(file, () -> {});
-                        case MESH -> openMesh(file);
+                        case MESH -> saving.afterSaving(() -> openMesh(file));
                         case OTHER -> {
                             settings.forgetIfGone(file);
                             dialogs.complain("Couldn't open the file", DroppedFile.complaint(file));
@@ -90,65 +109,63 @@ public final class FileActions {
         Path absolute = FileNames.absolute(file);
         Mesh mesh = Mesh.of(absolute).withSmooth(MeshStage.SMOOTH_DEGREES);
         Path sky = FileNames.absolute(shipped.skyboxes().resolve(ShippedSky.DAY.fileName()));
-        assets.readMesh(mesh, held -> {
-            Scene stage = MeshStage.of(absolute, held, sky, MeshPose.OF_FILE);
-            saving.afterSaving(() -> {
-                studio.assets().keepMesh(mesh, held);
-                studio.show(new OpenedScene(MeshStage.sceneFile(absolute), stage));
-                settings.remember(file);
-            });
-        });
+        assets.readMesh(mesh, unlessEdited(held -> {
+            studio.assets().keepMesh(mesh, held);
+            studio.show(new OpenedScene(
+                    MeshStage.sceneFile(absolute), MeshStage.of(absolute, held, sky, MeshPose.OF_FILE)));
+            settings.remember(file);
+        }));
     }
 
     private void openScene(Path file) {
         reading.begin(
                 FileNames.name(file),
-                () -> studio.assets().readScene(file),
-                // Ask only once the new scene has been read.
-                opened -> saving.afterSaving(() -> {
-                    studio.show(opened);
-                    settings.remember(file);
-                }),
+                () -> studio.assets().readWithOrWithoutSky(file),
+                unlessEdited(read -> read.skyProblem()
+                        .ifPresentOrElse(problem -> offerAnotherSky(read.opened(), problem), () -> {
+                            studio.show(read.opened());
+                            settings.remember(file);
+                        })),
                 problem -> {
                     settings.forgetIfGone(file);
-                    offerAnotherSky(file, problem);
+                    complain("Couldn't open the scene", problem);
                 },
                 () -> {});
     }
 
-    /** Offers to open a scene under another sky if only its own cannot be read. */
-    private void offerAnotherSky(Path file, Throwable problem) {
+    /** Asks again about changes made while a file was read. */
+    private <T> Consumer<T> unlessEdited(Consumer<T> then) {
+        SceneHistory.Version before = studio.document().present();
+        return read -> {
+            if (studio.document().present().isSame(before)) {
+                then.accept(read);
+            } else {
+                saving.afterSaving(() -> then.accept(read));
+            }
+        };
+    }
+
+    /** Offers to open a scene under another sky. */
+    private void offerAnotherSky(OpenedScene read, Throwable problem) {
         Path present = studio.scene().sky().file();
-        reading.begin(
-                FileNames.name(file),
-                () -> {
-                    OpenedScene read = OpenedScene.readUnder(present, file);
-                    studio.assets().readTextures(read.scene());
-                    return read;
-                },
-                _ -> dialogs.askForSky(
-                        Problems.explain(problem),
-                        new Answer(
-                                "Choose a sky…",
-                                () -> choice.panorama(studio.document().folder())
-                                        .ifPresent(sky -> openUnder(sky, file))),
-                        new Answer("Use the present sky", () -> openUnder(present, file))),
-                _ -> complain("Couldn't open the scene", problem),
-                () -> {});
+        dialogs.askForSky(
+                Problems.explain(problem),
+                new Answer(
+                        "Choose a sky…",
+                        () -> choice.panorama(studio.document().folder()).ifPresent(sky -> showUnder(sky, read))),
+                new Answer("Use the present sky", () -> showUnder(present, read)));
     }
 
-    private void openUnder(Path sky, Path file) {
+    private void showUnder(Path sky, OpenedScene read) {
         reading.begin(
-                FileNames.name(file),
+                FileNames.name(sky),
                 () -> {
                     studio.assets().readSky(sky);
-                    OpenedScene read = OpenedScene.readUnder(sky, file);
-                    studio.assets().readTextures(read.scene());
-                    return read;
+                    return read.scene().withSky(read.scene().sky().withFile(sky));
                 },
-                opened -> saving.afterSaving(() -> {
-                    studio.restore(opened, opened.scene());
-                    settings.remember(file);
+                unlessEdited(scene -> {
+                    studio.restore(read.withScene(scene), scene);
+                    settings.remember(read.file().path());
                 }),
                 problem -> complain("Couldn't load the sky", problem),
                 () -> {});
@@ -162,13 +179,13 @@ public final class FileActions {
      */
     void restore(Autosave autosave, Runnable then, Runnable failed) {
         Path present = studio.scene().sky().file();
-        reading.begin(
+        saving.afterSaving(() -> reading.begin(
                 FileNames.name(autosave.edited().path()),
                 () -> {
                     Scene edited = edited(autosave.file(), present);
                     return new Restored(before(autosave.edited(), edited), edited);
                 },
-                restored -> saving.afterSaving(() -> {
+                unlessEdited(restored -> {
                     studio.restore(restored.before(), restored.edited());
                     then.run();
                 }),
@@ -176,7 +193,7 @@ public final class FileActions {
                     failed.run();
                     complain("Couldn't restore the changes", problem);
                 },
-                failed);
+                failed));
     }
 
     /** The edited scene; under the present sky if its own cannot be read any more. */

@@ -3,12 +3,14 @@ package dev.twister.gui.files;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
 import dev.twister.gui.controls.Problems;
+import dev.twister.gui.model.CopiedTitle;
 import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.gui.studio.Document;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Title;
 import dev.twister.scene.format.SceneWriter;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -81,17 +83,21 @@ public final class SceneSaving {
             // The scene may be edited while it is written: so ask again afterwards.
             dialogs.askToSave(
                     FileNames.name(document.file()),
-                    new Answer(
-                            shipped.isScene(document.file()) ? "Save as…" : "Save",
-                            () -> save(() -> afterSaving(action))),
+                    new Answer(needsFile() ? "Save as…" : "Save", () -> save(() -> afterSaving(action))),
                     new Answer("Don't save", action));
         } else {
             action.run();
         }
     }
 
+    /** Whether the scene is shipped or was never saved, so that it needs a file of its own first. */
+    private boolean needsFile() {
+        return shipped.isScene(document.file())
+                || document.fileProperty().get().mark().equals(FileMark.NONE);
+    }
+
     private void save(Runnable then) {
-        if (shipped.isScene(document.file())) {
+        if (needsFile()) {
             saveAs(then);
         } else {
             saveTo(document.file(), then);
@@ -106,9 +112,20 @@ public final class SceneSaving {
                 dialogs.complain(
                         "Shipped scenes are read-only", file.getParent() + ": choose another folder for your scene.");
             } else {
+                name(own, file);
                 saveTo(file, then);
             }
         });
+    }
+
+    /** Gives a copy a title of its own. */
+    private void name(Path own, Path copy) {
+        if (!FileNames.absolute(own).equals(FileNames.absolute(copy))) {
+            Title original = document.original().title();
+            boolean isShipped = shipped.isScene(own);
+            studio.edit("name", scene -> scene.withTitle(CopiedTitle.of(scene.title(), original, copy, isShipped)));
+            studio.endGesture();
+        }
     }
 
     private void saveTo(Path file, Runnable then) {

@@ -1,9 +1,12 @@
 package dev.twister.gui.files;
 
 import dev.twister.files.WholeFile;
+import dev.twister.gui.model.DroppedFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * The folders of shipped files, to which the window does not write. They need not exist.
@@ -12,6 +15,19 @@ import java.nio.file.Path;
  * @param skyboxes shipped panoramas
  */
 public record ShippedFolders(Path scenes, Path skyboxes) {
+    /**
+     * The shipped scenes, by name.
+     *
+     * @throws IOException if their folder cannot be read
+     */
+    List<Path> list() throws IOException {
+        try (Stream<Path> files = Files.list(scenes)) {
+            return files.filter(file -> DroppedFile.kind(file) == DroppedFile.Kind.SCENE)
+                    .sorted()
+                    .toList();
+        }
+    }
+
     /** Whether a file, which need not exist, is in the folder of shipped scenes. */
     boolean isScene(Path file) {
         try {

@@ -5,6 +5,8 @@ import dev.twister.scene.Camera;
 import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.List;
 
 /** The numbers of the camera. */
@@ -16,6 +18,28 @@ public final class CameraNumbers {
             new NumberScale(SceneLimits.FIELD_OF_VIEW, new Range(10, 120), Spread.LINEAR, 1, "°"),
             Camera::fieldOfViewDegrees,
             Camera::withFieldOfView);
+
+    /** Half the height of a frame of 35 mm film. */
+    private static final double HALF_FRAME_MILLIMETERS = 12;
+
+    /** Of the angle, so that the same length leads to the same angle. */
+    private static final int DECIMALS = 12;
+
+    private static final NumberProperty<Camera> FOCAL_LENGTH = new NumberProperty<>(
+            "Focal length",
+            "The field of view as the focal length of a lens on 35 mm film, whose frame is 24 mm high.",
+            "",
+            new NumberScale(
+                    new Range(
+                            focalLength(SceneLimits.FIELD_OF_VIEW.max()),
+                            focalLength(SceneLimits.FIELD_OF_VIEW.min()),
+                            "mm"),
+                    new Range(8, 200),
+                    Spread.LOGARITHMIC,
+                    1,
+                    "mm"),
+            camera -> focalLength(camera.fieldOfViewDegrees()),
+            (camera, millimeters) -> camera.withFieldOfView(fieldOfView(millimeters)));
 
     public static final NumberProperty<Camera> APERTURE = new NumberProperty<>(
             "Aperture",
@@ -53,6 +77,7 @@ public final class CameraNumbers {
                             Camera::pitchDegrees,
                             Camera::withPitch),
                     FIELD_OF_VIEW,
+                    FOCAL_LENGTH,
                     APERTURE,
                     FOCUS_DISTANCE)
             .stream()
@@ -63,6 +88,17 @@ public final class CameraNumbers {
     public static final List<Double> SPEEDS = List.of(0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0);
 
     private CameraNumbers() {}
+
+    private static double focalLength(double degrees) {
+        return HALF_FRAME_MILLIMETERS / Math.tan(Math.toRadians(degrees / 2));
+    }
+
+    private static double fieldOfView(double millimeters) {
+        double degrees = 2 * Math.toDegrees(Math.atan(HALF_FRAME_MILLIMETERS / millimeters));
+        return SceneLimits.FIELD_OF_VIEW.clamp(BigDecimal.valueOf(degrees)
+                .setScale(DECIMALS, RoundingMode.HALF_UP)
+                .doubleValue());
+    }
 
     private static NumberProperty<Camera> place(Axis axis, String hint, String key) {
         return new NumberProperty<>(

@@ -13,10 +13,9 @@ public final class ChosenFile {
 
     private ChosenFile() {}
 
-    /** A scene's file: {@value #SCENE} is added to a name without any ending. */
+    /** A scene's file: {@value #SCENE} is added to a name with another ending, or without one. */
     public static Path forScene(Path chosen) {
-        String name = chosen.getFileName().toString();
-        return name.contains(".") ? chosen : spared(chosen, chosen.resolveSibling(name + SCENE));
+        return withEnding(chosen, SCENE);
     }
 
     /** A picture's file, of either kind. */

@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Tells what a file is that someone opens or drops on the window, by its name and its first bytes. */
+/** Tells what a file is that someone opens or drops on the window, by its first bytes and its name. */
 public final class DroppedFile {
     private static final String SCHEMA = ".schema.json";
     private static final int LOOKED_AT = 256;
@@ -36,16 +36,17 @@ public final class DroppedFile {
         if (name.endsWith(SCHEMA)) {
             return Kind.OTHER;
         }
+        return kindByContent(file).orElseGet(() -> kindByName(name));
+    }
+
+    private static Kind kindByName(String name) {
         if (name.endsWith(".json")) {
             return Kind.SCENE;
         }
         if (name.matches(".*\\.(hdr|pic|png|jpe?g)")) {
             return Kind.SKYBOX;
         }
-        if (name.matches(".*\\.(obj|gltf|glb|ply|stl)")) {
-            return Kind.MESH;
-        }
-        return kindByContent(file);
+        return name.matches(".*\\.(obj|gltf|glb|ply|stl)") ? Kind.MESH : Kind.OTHER;
     }
 
     /** What to say of a file that is none of them. */
@@ -60,22 +61,24 @@ public final class DroppedFile {
         return file + ": unknown kind of file; expected " + EXPECTED;
     }
 
-    private static Kind kindByContent(Path file) {
+    /** Empty where the name has to tell. */
+    private static Optional<Kind> kindByContent(Path file) {
         byte[] start;
         try (InputStream in = Files.newInputStream(file)) {
             start = in.readNBytes(LOOKED_AT);
         } catch (IOException _) {
-            return Kind.OTHER;
+            return Optional.empty();
         }
         String text = new String(start, StandardCharsets.ISO_8859_1);
         if (text.stripLeading().startsWith("{")) {
-            return Kind.SCENE;
+            boolean mesh = file.toString().toLowerCase(Locale.ROOT).endsWith(".gltf");
+            return Optional.of(mesh ? Kind.MESH : Kind.SCENE);
         }
         boolean panorama = text.startsWith("#?") || text.startsWith("\u0089PNG") || text.startsWith("\u00ff\u00d8");
         if (panorama) {
-            return Kind.SKYBOX;
+            return Optional.of(Kind.SKYBOX);
         }
         boolean mesh = text.startsWith("ply\n") || text.startsWith("ply\r") || text.startsWith("glTF");
-        return mesh ? Kind.MESH : Kind.OTHER;
+        return mesh ? Optional.of(Kind.MESH) : Optional.empty();
     }
 }

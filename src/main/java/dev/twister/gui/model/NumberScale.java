@@ -87,15 +87,11 @@ public record NumberScale(Range allowed, Range slid, Spread spread, int decimals
         return decimal(number).stripTrailingZeros().toPlainString();
     }
 
-    /** Reads a typed number; empty if it is none or not allowed. */
+    /** Reads a typed number or sum; empty if it is none or not allowed. */
     public Optional<Double> parse(String typed) {
-        try {
-            return Optional.of(new BigDecimal(typed.strip().replace(',', '.')).doubleValue())
-                    .map(number -> decimals == 0 ? Math.rint(number) : number)
-                    .filter(allowed::contains);
-        } catch (NumberFormatException _) {
-            return Optional.empty();
-        }
+        return Arithmetic.value(typed)
+                .map(number -> decimals == 0 ? Math.rint(number) : number)
+                .filter(allowed::contains);
     }
 
     private BigDecimal decimal(double number) {

@@ -46,7 +46,7 @@ public final class SceneNumbers {
             new NumberProperty<>(
                     "Samples per pixel",
                     "View rays for each pixel of a moving picture. More make smoother edges, and every frame slower.",
-                    "Alt+A",
+                    "Alt+Shift+J",
                     new NumberScale(SceneLimits.SAMPLES_PER_PIXEL, new Range(1, 64), Spread.LOGARITHMIC, 0, ""),
                     scene -> scene.rendering().samplesPerPixel(),
                     (scene, count) -> scene.withRendering(scene.rendering().withSamplesPerPixel(count.intValue()))),

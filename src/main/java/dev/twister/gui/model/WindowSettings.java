@@ -41,7 +41,7 @@ public record WindowSettings(Map<String, Object> values) {
     public static final Key<Integer> HEIGHT = side("height", 800);
     public static final Key<Boolean> MAXIMIZED = flag("maximized", false);
     public static final Key<Boolean> PANEL_SHOWN = flag("panelShown", true);
-    public static final Key<Boolean> FRAME_TIMES_SHOWN = flag("frameTimesShown", true);
+    public static final Key<Boolean> FRAME_TIMES_SHOWN = flag("frameTimesShown", false);
 
     /** The id of an engine. */
     public static final Key<String> ENGINE = new Key<>("engine", FastestEngine.AUTO, WindowSettings::text);

@@ -78,7 +78,14 @@ public final class NumberRow extends PanelRow {
             }
         });
         slider.addEventFilter(KeyEvent.KEY_PRESSED, this::slideByKey);
-        slider.addEventFilter(KeyEvent.KEY_RELEASED, this::endSlideByKey);
+        slider.addEventFilter(KeyEvent.KEY_RELEASED, NumberRow::leaveReleasedKeys);
+        slider.addEventFilter(MouseEvent.MOUSE_PRESSED, _ -> studio.endGesture());
+        // Steps by keys are undone together.
+        slider.focusedProperty().subscribe((_, focused) -> {
+            if (!focused) {
+                studio.endGesture();
+            }
+        });
         slider.addEventHandler(MouseEvent.MOUSE_RELEASED, _ -> {
             studio.endGesture();
             showSlider(shown);
@@ -237,8 +244,7 @@ public final class NumberRow extends PanelRow {
         }
     }
 
-    private void endSlideByKey(KeyEvent event) {
-        studio.endGesture();
+    private static void leaveReleasedKeys(KeyEvent event) {
         if (event.getCode() == KeyCode.HOME || event.getCode() == KeyCode.END) {
             // JavaFX moves the slider when these keys are released, although the window handled them when they were
             // pressed.

@@ -1,6 +1,5 @@
 package dev.twister.gui.panel;
 
-import java.util.function.Consumer;
 import javafx.event.ActionEvent;
 import javafx.scene.Node;
 import javafx.scene.Scene;
@@ -10,8 +9,8 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
 /**
- * Keys that move the focus between picture and panel: Enter returns to the picture after a number is entered; in the
- * picture, Tab shows and hides the panel.
+ * Keys that move the focus between picture and panel: Enter returns to the picture after a number is entered, and each
+ * row has a key that leads to it.
  */
 public final class PanelKeys {
     private PanelKeys() {}
@@ -19,9 +18,9 @@ public final class PanelKeys {
     /**
      * Adds a filter to the window, which runs before its controls.
      *
-     * @param setShown shows or hides the panel
+     * @param show shows the panel
      */
-    public static void install(Scene scene, Panel panel, Node picture, Consumer<Boolean> setShown) {
+    public static void install(Scene scene, Panel panel, Node picture, Runnable show) {
         panel.addEventHandler(ActionEvent.ACTION, event -> {
             if (event.getTarget() instanceof TextField field && panel.isTaken(field)) {
                 picture.requestFocus();
@@ -34,18 +33,11 @@ public final class PanelKeys {
             }
         });
         scene.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
-            if (event.getCode() == KeyCode.TAB && !event.isControlDown() && !event.isAltDown()) {
-                if (picture.isFocused() || scene.getFocusOwner() == null) {
-                    setShown.accept(!panel.isVisible());
-                    event.consume();
-                }
-            } else {
-                panel.rowOf(event).ifPresent(row -> {
-                    setShown.accept(true);
-                    panel.reveal(row);
-                    event.consume();
-                });
-            }
+            panel.rowOf(event).ifPresent(row -> {
+                show.run();
+                panel.reveal(row);
+                event.consume();
+            });
         });
     }
 }

@@ -47,6 +47,7 @@ public final class FrameTimesView extends VBox {
     private final FrameHistory history;
     private final ObservableDoubleValue room;
     private long drawnNanos;
+    private boolean emptied;
 
     /**
      * A view that is empty until {@link #refresh}.
@@ -66,7 +67,7 @@ public final class FrameTimesView extends VBox {
 
     /** Called in every pulse; redraws a few times a second while visible. */
     public void refresh(long nanos) {
-        if (isVisible() && nanos - drawnNanos >= REDRAW_NANOS) {
+        if (isVisible() && nanos - drawnNanos >= REDRAW_NANOS && !isOver(nanos)) {
             drawnNanos = nanos;
             double em = numbers.getFont().getSize();
             double wide = room.get() - getInsets().getLeft() - getInsets().getRight();
@@ -82,6 +83,15 @@ public final class FrameTimesView extends VBox {
                 draw(nanos, em);
             }
         }
+    }
+
+    /** Whether the graph of a picture at rest has become empty, and no more comes. */
+    private boolean isOver(long nanos) {
+        boolean empty =
+                studio.restingSamples().isPresent() && history.entries(nanos).isEmpty();
+        boolean over = empty && emptied;
+        emptied = empty;
+        return over;
     }
 
     /**

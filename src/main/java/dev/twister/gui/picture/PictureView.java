@@ -9,6 +9,7 @@ import java.nio.IntBuffer;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import javafx.scene.AccessibleRole;
 import javafx.scene.image.Image;
 import javafx.scene.image.ImageView;
 import javafx.scene.image.PixelBuffer;
@@ -49,6 +50,9 @@ public final class PictureView extends Pane {
     public PictureView(Studio studio) {
         this.studio = studio;
         getStyleClass().add("picture");
+        setFocusTraversable(true);
+        setAccessibleRole(AccessibleRole.IMAGE_VIEW);
+        setAccessibleText("Picture of the scene");
         view.setManaged(false);
         getChildren().add(view);
         clip.widthProperty().bind(widthProperty());

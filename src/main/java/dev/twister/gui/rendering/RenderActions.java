@@ -18,10 +18,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
 import java.util.Optional;
 import javafx.stage.Stage;
 
-/** Renders to files in the background, one after the other. */
+/** Renders to files in the background, one after the other; further ones wait. */
 public final class RenderActions implements AutoCloseable {
     private static final String FAILED = "Couldn't render to the file";
 
@@ -33,6 +37,8 @@ public final class RenderActions implements AutoCloseable {
     private final Dialogs dialogs;
     private final RenderForm form;
     private final RenderWindow window;
+    private final RenderStatus status = new RenderStatus(this::cancel);
+    private final Deque<RenderOrder> waiting = new ArrayDeque<>();
     private Optional<RenderJob> job = Optional.empty();
     private Path lastFolder = Path.of("").toAbsolutePath();
     private boolean choosing;
@@ -55,14 +61,30 @@ public final class RenderActions implements AutoCloseable {
         window.show();
     }
 
+    /** The progress while the window is closed, for the status line. */
+    public RenderStatus status() {
+        return status;
+    }
+
     /** Called in every pulse: shows the progress or the result. */
     public void pulse() {
         job.filter(running -> running.result().isDone()).ifPresent(this::tellEnd);
         if (window.isShowing()) {
-            job.ifPresent(running -> window.showProgress(
-                    running.isCanceled() ? "Canceling…" : running.progress().text(),
-                    running.progress().part()));
+            form.showEstimate();
+            job.ifPresent(running ->
+                    window.showProgress(progress(running), running.progress().part()));
         }
+        job.filter(_ -> !window.isShowing())
+                .ifPresentOrElse(
+                        running -> status.show(
+                                FileNames.name(running.order().output().file()) + ": " + progress(running)
+                                        + (waiting.isEmpty() ? "" : " · " + waiting.size() + " waiting"),
+                                running.progress().part()),
+                        status::hide);
+    }
+
+    private static String progress(RenderJob running) {
+        return running.isCanceled() ? "Canceling…" : running.progress().text();
     }
 
     /** Runs an action that closes the window; if a render is running, asks first whether to cancel it. */
@@ -70,6 +92,7 @@ public final class RenderActions implements AutoCloseable {
         if (job.isPresent()) {
             dialogs.askToCancelRender(
                     FileNames.name(job.get().order().output().file()), new Answer("Cancel render", () -> {
+                        waiting.clear();
                         cancel();
                         then.run();
                     }));
@@ -78,8 +101,9 @@ public final class RenderActions implements AutoCloseable {
         }
     }
 
-    /** Cancels the render. Returns at once. */
+    /** Cancels all renders. Returns at once. */
     public void finish() {
+        waiting.clear();
         cancel();
         window.close();
     }
@@ -101,7 +125,7 @@ public final class RenderActions implements AutoCloseable {
     }
 
     private void start() {
-        if (choosing || job.isPresent()) {
+        if (choosing) {
             return;
         }
         choosing = true;
@@ -153,7 +177,33 @@ public final class RenderActions implements AutoCloseable {
                 .findFirst();
     }
 
+    /** Starts a render, or puts it in the queue behind the present one. */
     private void start(RenderOrder order) {
+        if (job.isPresent()) {
+            waiting.add(order);
+            showWaiting();
+            studio.notice("Waiting for the present render: "
+                    + FileNames.name(order.output().file()));
+        } else {
+            begin(order);
+        }
+    }
+
+    private void showWaiting() {
+        window.showWaiting(
+                waiting.stream()
+                        .map(order -> FileNames.name(order.output().file()))
+                        .toList(),
+                place -> {
+                    List<RenderOrder> rest = new ArrayList<>(waiting);
+                    rest.remove(place);
+                    waiting.clear();
+                    waiting.addAll(rest);
+                    showWaiting();
+                });
+    }
+
+    private void begin(RenderOrder order) {
         SceneMeshes meshes =
                 studio.pictureProperty().get().map(DrawnPicture::meshes).orElse(SceneMeshes.NONE);
         job = Optional.of(RenderJob.start(order, () -> studio.assets().world(order.scene(), meshes), System::nanoTime));
@@ -170,6 +220,10 @@ public final class RenderActions implements AutoCloseable {
                 dialogs.complain(FAILED, explain(ended.result().exceptionNow()));
             }
         }
+        Optional.ofNullable(waiting.poll()).ifPresent(next -> {
+            showWaiting();
+            begin(next);
+        });
     }
 
     private static String more(RenderOrder order) {

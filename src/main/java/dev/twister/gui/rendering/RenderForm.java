@@ -53,6 +53,7 @@ final class RenderForm extends GridPane {
     private final PlainBox<EngineOffer> engine = new PlainBox<>("render-engine", RenderForm::name, this::check);
     private final PlainBox<Picture> shown = new PlainBox<>("render-show", ShownPictures::label, this::check);
     private final PlainBox<RenderFormat> format = new PlainBox<>("render-format", RenderFormat::label, this::check);
+    private final Label estimate = new Label();
     private final DenoiserChoice denoiser = new DenoiserChoice(this::check);
     private Optional<Long> document = Optional.empty();
     private int rows;
@@ -81,6 +82,9 @@ final class RenderForm extends GridPane {
         addRow("Sho_w", shown, shown);
         addRow("De_noise", denoiser.box(), denoiser.box());
         addRow("_Format", format, format);
+        estimate.setId("render-estimate");
+        estimate.getStyleClass().add("hint");
+        add(estimate, 1, rows);
         film.selectedProperty().subscribe(_ -> showFormats());
         engines.offersProperty().subscribe(_ -> showEngines());
     }
@@ -118,6 +122,17 @@ final class RenderForm extends GridPane {
         }
         films.follow(scene);
         denoiser.look();
+    }
+
+    /** Shows how much the present order is. */
+    void showEstimate() {
+        estimate.setText(
+                complaint.get().isPresent()
+                        ? ""
+                        : order(Path.of(format().fileName("picture")))
+                                .map(order -> RenderEstimate.text(
+                                        order, studio.pictureProperty().get()))
+                                .orElse(""));
     }
 
     /** The order of the form for the present scene; empty if there is an error. */

@@ -1,6 +1,8 @@
 package dev.twister.gui.rendering;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.function.IntConsumer;
 import javafx.css.PseudoClass;
 import javafx.scene.Scene;
 import javafx.scene.control.Button;
@@ -22,6 +24,7 @@ final class RenderWindow {
     private final Button cancel = button("render-cancel", "_Cancel render");
     private final ProgressBar bar = new ProgressBar(0);
     private final Label state = new Label();
+    private final WaitingRenders waiting = new WaitingRenders();
     private boolean rendering;
 
     /** The result of the last render, shown while the form is valid. */
@@ -56,7 +59,7 @@ final class RenderWindow {
         HBox.setHgrow(gap, Priority.ALWAYS);
         HBox buttons = new HBox(gap, cancel, render, close);
         buttons.getStyleClass().add("buttons");
-        VBox page = new VBox(form, new VBox(bar, state), buttons);
+        VBox page = new VBox(form, new VBox(bar, state, waiting), buttons);
         page.setId("render-page");
         page.getStyleClass().add("page");
         Scene scene = new Scene(page);
@@ -64,6 +67,7 @@ final class RenderWindow {
         stage.setScene(scene);
         form.complaintProperty().subscribe(_ -> refresh());
         form.heightProperty().subscribe(_ -> stage.sizeToScene());
+        waiting.heightProperty().subscribe(_ -> stage.sizeToScene());
     }
 
     /** Shows the window, or brings it to the front. */
@@ -101,11 +105,21 @@ final class RenderWindow {
         refresh();
     }
 
+    /**
+     * Shows what waits for the present render.
+     *
+     * @param remove gets the place in the queue of one to remove
+     */
+    void showWaiting(List<String> names, IntConsumer remove) {
+        waiting.show(names, remove);
+    }
+
     private void refresh() {
-        Optional<String> complaint = form.complaintProperty().get().filter(_ -> !rendering);
+        Optional<String> complaint = form.complaintProperty().get();
+        render.setText(rendering ? "Add to _queue…" : "_Render…");
         bar.setVisible(rendering);
         cancel.setVisible(rendering);
-        render.setDisable(rendering || complaint.isPresent());
+        render.setDisable(complaint.isPresent());
         state.pseudoClassStateChanged(WRONG, complaint.isPresent());
         state.setText(complaint.orElse(said));
     }

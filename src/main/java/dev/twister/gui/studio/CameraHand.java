@@ -31,6 +31,11 @@ public final class CameraHand {
         return speed;
     }
 
+    /** Whether keys that walk or turn are held. */
+    boolean isMoving() {
+        return !walk.equals(Walk.STILL) || !turn.equals(Turn.STILL);
+    }
+
     /** Moves the camera to its place in the scene's file. */
     public void goHome() {
         document.moveCamera(_ -> document.original().camera());

@@ -3,8 +3,10 @@ package dev.twister.gui.studio;
 import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.FileMark;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneException;
 import dev.twister.scene.format.SceneReader;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 
 /**
  * A scene that has been read.
@@ -26,6 +28,22 @@ public record OpenedScene(EditedFile file, Scene scene) {
         // First: a file that is replaced while it is read counts as changed.
         FileMark mark = FileMark.of(file);
         return new OpenedScene(new EditedFile(file, mark), SceneReader.read(file));
+    }
+
+    /**
+     * Reads a scene file whose sky need not be there.
+     *
+     * @param skyProblem told what is wrong if only the sky is missing
+     * @throws dev.twister.scene.SceneException if it is not a scene
+     */
+    static OpenedScene read(Path file, Consumer<SceneException> skyProblem) {
+        FileMark mark = FileMark.of(file);
+        return new OpenedScene(new EditedFile(file, mark), SceneReader.read(file, skyProblem));
+    }
+
+    /** Another scene of the same file. */
+    public OpenedScene withScene(Scene other) {
+        return new OpenedScene(file, other);
     }
 
     /**

@@ -65,7 +65,8 @@ public final class PresentBodies {
         return meshes().holds(mesh) ? meshes().fileMaterial(mesh) : Material.DEFAULT;
     }
 
-    private SceneMeshes meshes() {
+    /** The meshes of the picture. */
+    public SceneMeshes meshes() {
         return picture.getValue().map(DrawnPicture::meshes).orElse(SceneMeshes.NONE);
     }
 }

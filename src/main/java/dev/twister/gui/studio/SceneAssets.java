@@ -10,6 +10,8 @@ import dev.twister.scene.Scene;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 
 /** The panoramas, textures and meshes of scenes, shared by all drawing threads. Any thread may read. */
@@ -36,6 +38,30 @@ public final class SceneAssets {
         skies.refresh(read.scene());
         return read;
     }
+
+    /**
+     * Reads a scene and its textures, and its sky if that can be read.
+     *
+     * @throws dev.twister.scene.SceneException if it is not a scene
+     * @throws dev.twister.sky.SkyException if a texture cannot be read
+     */
+    public ReadScene readWithOrWithoutSky(Path file) {
+        List<RuntimeException> missing = new ArrayList<>();
+        OpenedScene read = OpenedScene.read(file, missing::add);
+        skies.refreshTextures(read.scene());
+        return new ReadScene(
+                read,
+                missing.stream()
+                        .findFirst()
+                        .or(() -> skies.problemOf(read.scene().sky().file())));
+    }
+
+    /**
+     * A scene that was read.
+     *
+     * @param skyProblem why its sky cannot be used
+     */
+    public record ReadScene(OpenedScene opened, Optional<RuntimeException> skyProblem) {}
 
     /**
      * Reads a panorama, unless it has been read.

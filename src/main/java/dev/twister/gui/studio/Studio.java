@@ -138,6 +138,14 @@ public final class Studio implements AutoCloseable {
                 .map(DrawnPicture::samples);
     }
 
+    /** Whether something moves or the picture is not finished. */
+    public boolean isBusy() {
+        return hand.isMoving()
+                || film.playingProperty().get()
+                || motion.motionProperty().get().running()
+                || restingSamples().isEmpty();
+    }
+
     /** The state of the drawing thread. */
     public ReadOnlyObjectProperty<DrawingStatus> drawingProperty() {
         return drawing.getReadOnlyProperty();

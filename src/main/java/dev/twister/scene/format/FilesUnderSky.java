@@ -8,7 +8,7 @@ import java.nio.file.Path;
  * @param skybox takes the place of the scene's own; need not be there
  */
 record FilesUnderSky(Path skybox, NamedFiles others) implements NamedFiles {
-    private static final JsonPath PLACE = new JsonPath.Field(new JsonPath.Root(), SceneFormat.SKYBOX);
+    static final JsonPath PLACE = new JsonPath.Field(new JsonPath.Root(), SceneFormat.SKYBOX);
 
     @Override
     public Path find(Place place, Path name) {

@@ -3,6 +3,7 @@ package dev.twister.scene.format;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 
 /** Reads scene files; {@code scenes/scene.schema.json} says what one holds. */
 public final class SceneReader {
@@ -22,8 +23,19 @@ public final class SceneReader {
     }
 
     /**
-     * Reads a scene file as {@link #read} does, but for its skybox: another one takes its place, whether it is there or
-     * not.
+     * Reads a scene file as {@link #read(Path)} does; its skybox need not be there.
+     *
+     * @param skyProblem told what {@code read} would throw if only the skybox is missing
+     * @throws SceneException as {@code read}, for all other reasons
+     */
+    public static Scene read(Path file, Consumer<SceneException> skyProblem) {
+        NamedFiles files = new FilesBesideSky(beside(file, true), beside(file, false), skyProblem);
+        return SceneDocument.parse(SourceFile.read(file), files);
+    }
+
+    /**
+     * Reads a scene file as {@link #read(Path)} does, but for its skybox: another one takes its place, whether it is
+     * there or not.
      *
      * @throws SceneException if the file cannot be read or is not a valid scene; the message is one line
      */
@@ -32,7 +44,7 @@ public final class SceneReader {
     }
 
     /**
-     * Reads a scene file as {@link #read} does; its skybox and textures need not be there.
+     * Reads a scene file as {@link #read(Path)} does; its skybox and textures need not be there.
      *
      * @throws SceneException if the file cannot be read or is not a valid scene; the message is one line
      */

@@ -32,7 +32,8 @@ public final class SceneWriter {
     /**
      * Writes a scene, as {@link #write(Scene, Path)}.
      *
-     * @param like the file whose {@code $schema} is kept, where it has one; need not exist
+     * @param like the file whose {@code $schema} is kept, where it has one; need not exist. In another folder it is
+     *     kept if it is a URL or a file that is there
      */
     public static void write(Scene scene, Path file, Path like) {
         String name = file.toString();
@@ -41,7 +42,9 @@ public final class SceneWriter {
         }
         try {
             String text = SceneDocument.of(
-                    scene, new FilesBeside(file, WholeFile.behindLinks(file), false), SchemaReference.of(like));
+                    scene,
+                    new FilesBeside(file, WholeFile.behindLinks(file), false),
+                    SchemaReference.of(like).filter(schema -> isKept(schema, file, like)));
             check(text, name);
             WholeFile.replace(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
         } catch (NoSuchFileException e) {
@@ -70,6 +73,16 @@ public final class SceneWriter {
      */
     public static void check(Scene scene) {
         check(SceneDocument.of(scene, NamedFiles.UNRESOLVED, Optional.empty()), "the scene");
+    }
+
+    /** A copy elsewhere names no schema that is not there. */
+    private static boolean isKept(String schema, Path file, Path like) {
+        boolean elsewhere = !file.toAbsolutePath()
+                .resolveSibling("")
+                .equals(like.toAbsolutePath().resolveSibling(""));
+        return !elsewhere
+                || schema.contains("://")
+                || Files.exists(file.toAbsolutePath().resolveSibling(schema));
     }
 
     // The reader has the rules; to ask it is surer than to have them twice.

@@ -15,7 +15,9 @@ class ChosenFileTest {
     @Test
     void anEndingIsAddedWhereThereIsNone() {
         assertThat(ChosenFile.forScene(folder.resolve("saved"))).isEqualTo(folder.resolve("saved.json"));
-        assertThat(ChosenFile.forScene(folder.resolve("saved.txt"))).isEqualTo(folder.resolve("saved.txt"));
+        assertThat(ChosenFile.forScene(folder.resolve("room 1.2"))).isEqualTo(folder.resolve("room 1.2.json"));
+        assertThat(ChosenFile.forScene(folder.resolve("shot.png"))).isEqualTo(folder.resolve("shot.png.json"));
+        assertThat(ChosenFile.forScene(folder.resolve("A.JSON"))).isEqualTo(folder.resolve("A.JSON"));
         assertThat(ChosenFile.forPicture(folder.resolve("shot"), false)).isEqualTo(folder.resolve("shot.png"));
         assertThat(ChosenFile.forPicture(folder.resolve("shot.png"), true)).isEqualTo(folder.resolve("shot.hdr"));
     }

@@ -23,6 +23,10 @@ class DroppedFileTest {
         "sky.hdr, x, SKYBOX",
         "sky.JPEG, x, SKYBOX",
         "scene.txt, '  {', SCENE",
+        "picture.png, '{', SCENE",
+        "room 1.2, '{', SCENE",
+        "knot.gltf, '{', MESH",
+        "photo.json, '\u0089PNG', SKYBOX",
         "sky, '#?RADIANCE', SKYBOX",
         "sky.bin, '\u0089PNG', SKYBOX",
         "photo, '\u00ff\u00d8', SKYBOX",
@@ -33,7 +37,7 @@ class DroppedFileTest {
         "notes.txt, hello, OTHER",
         "empty, '', OTHER"
     })
-    void isToldByNameOrFirstBytes(String name, String start, Kind kind) throws IOException {
+    void isToldByFirstBytesOrName(String name, String start, Kind kind) throws IOException {
         Path file = Files.write(folder.resolve(name), start.getBytes(StandardCharsets.ISO_8859_1));
         assertThat(DroppedFile.kind(file)).isEqualTo(kind);
     }

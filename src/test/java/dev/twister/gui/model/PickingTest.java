@@ -187,12 +187,20 @@ class PickingTest {
     }
 
     @Test
-    void newSpheresPileUpWhereThePictureDoesNotShowThemYet() {
+    void newSpheresStandBesideThoseThatThePictureDoesNotShowYet() {
         Scene edited = scene;
         for (int number = 0; number < 5; number++) {
             edited = edited.withBodies(edited.bodies().with(List.of(NewSphere.inFrontOf(input, edited))));
         }
-        assertThat(edited.spheres().stream().map(Sphere::position)).doesNotHaveDuplicates();
+        List<Sphere> added = edited.spheres()
+                .subList(scene.spheres().size(), edited.spheres().size());
+        assertThat(added).allMatch(sphere -> sphere.position().y() == sphere.radius());
+        for (Sphere sphere : added) {
+            assertThat(added)
+                    .filteredOn(other -> !other.equals(sphere))
+                    .allMatch(other ->
+                            other.position().minus(sphere.position()).length() >= other.radius() + sphere.radius());
+        }
     }
 
     @Test

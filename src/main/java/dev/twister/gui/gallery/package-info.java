@@ -1,0 +1,2 @@
+/** The start page: shipped and recent scenes as pictures. */
+package dev.twister.gui.gallery;
