@@ -107,7 +107,7 @@ record LibraryPlaces(Map<String, String> environment, Path home, String system) 
                 return List.of();
             }
         }
-        found.sort(Comparator.comparing((Path path) -> path.toString().length())
+        found.sort(Comparator.comparingInt((Path path) -> path.toString().length())
                 .thenComparing(Comparator.naturalOrder())
                 .reversed());
         return found;

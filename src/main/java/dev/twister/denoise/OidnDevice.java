@@ -5,6 +5,7 @@ import java.lang.foreign.MemorySegment;
 import java.lang.foreign.ValueLayout;
 
 /** A device of Open Image Denoise: the fastest one that it finds, or the one in its variable OIDN_DEFAULT_DEVICE. */
+@SuppressWarnings("restricted") // native functions
 final class OidnDevice implements AutoCloseable {
     private static final int FIRST_MAJOR = 2;
     private static final int VERSIONS = 100;

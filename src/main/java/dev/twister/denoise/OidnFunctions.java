@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** Functions of the library, by their names in C. */
+@SuppressWarnings("restricted") // native functions
 final class OidnFunctions {
     private final SymbolLookup library;
 

@@ -5,6 +5,7 @@ import java.lang.foreign.ValueLayout;
 import java.util.Optional;
 
 /** Intel's Open Image Denoise, a neural network; in bands if the picture is large. */
+@SuppressWarnings("restricted") // native functions
 final class OpenImageDenoise implements Denoiser {
     private static final String RADIANCE = "color";
     private static final String ALBEDO = "albedo";

@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import javafx.animation.AnimationTimer;
@@ -33,7 +34,7 @@ final class Pulses implements AutoCloseable {
                 sleepUnlessBusy();
             }
         };
-        alarm.scheduleWithFixedDelay(
+        ScheduledFuture<?> _ = alarm.scheduleWithFixedDelay(
                 () -> {
                     if (asleep) {
                         Platform.runLater(() -> pulseAsleep(action));

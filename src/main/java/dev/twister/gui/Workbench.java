@@ -118,7 +118,7 @@ final class Workbench implements AutoCloseable {
         assets = new AssetActions(studio, options.files(), dialogs, settings, reading);
         files = new FileActions(
                 studio, options.files(), options.shipped(), dialogs, settings, reading, saving, assets, errands);
-        gallery = new SceneGallery(stage, options.shipped(), settings, files);
+        gallery = new SceneGallery(stage, settings, files);
         autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);

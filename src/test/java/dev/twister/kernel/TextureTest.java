@@ -3,7 +3,6 @@ package dev.twister.kernel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.twister.scene.Wrap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -23,20 +22,21 @@ class TextureTest {
         assertThat(texel(Layout.PLANE, new float[] {0, 1, 0})).isEqualTo(0.75f);
     }
 
+    /** With {@link Texture#REPEAT}, {@link Texture#CLAMP} and {@link Texture#MIRROR}. */
     @ParameterizedTest
     @CsvSource({
-        "0.25, REPEAT, 0, 0.5",
-        "1.25, REPEAT, 0, 0.5",
-        "1.25, CLAMP, 0, 3",
-        "-0.25, CLAMP, 0, 0",
-        "1.25, MIRROR, 0, 2.5",
-        "-0.25, MIRROR, 0, 0.5",
-        "0.3, REPEAT, 1, 1",
-        "0.999, REPEAT, 1, 3",
-        "1.2, MIRROR, 1, 3"
+        "0.25, 0, 0, 0.5",
+        "1.25, 0, 0, 0.5",
+        "1.25, 1, 0, 3",
+        "-0.25, 1, 0, 0",
+        "1.25, 2, 0, 2.5",
+        "-0.25, 2, 0, 0.5",
+        "0.3, 0, 1, 1",
+        "0.999, 0, 1, 3",
+        "1.2, 2, 1, 3"
     })
-    void placesBeyondTheBorders(float coordinate, Wrap wrap, int nearest, float expected) {
-        assertThat(Texture.place(coordinate, 4, wrap.ordinal(), nearest)).isEqualTo(expected, within(1e-5f));
+    void placesBeyondTheBorders(float coordinate, int wrap, int nearest, float expected) {
+        assertThat(Texture.place(coordinate, 4, wrap, nearest)).isEqualTo(expected, within(1e-5f));
     }
 
     private static float texel(int body, float[] normal) {

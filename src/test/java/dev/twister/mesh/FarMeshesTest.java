@@ -50,11 +50,17 @@ class FarMeshesTest {
 
     @Test
     void keepTheirPlaceInStlFiles() {
-        MeshFile file = Reading.read(
-                folder,
-                "a.stl",
-                "solid\nfacet normal 0 0 1\nouter loop\nvertex 445000.001 0 7\nvertex 445001 0 7\nvertex 445000 1 7\n"
-                        + "endloop\nendfacet\nendsolid\n");
+        MeshFile file = Reading.read(folder, "a.stl", """
+                solid
+                facet normal 0 0 1
+                outer loop
+                vertex 445000.001 0 7
+                vertex 445001 0 7
+                vertex 445000 1 7
+                endloop
+                endfacet
+                endsolid
+                """);
 
         assertThat(file.bounds().least().x()).isCloseTo(445000, within(1e-6));
         assertThat(file.bounds().largest().y()).isCloseTo(7, within(1e-6));

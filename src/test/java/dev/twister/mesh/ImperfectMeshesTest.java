@@ -22,9 +22,19 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Files with a fault in one part, of which the rest is read with a warning. */
 class ImperfectMeshesTest {
     private static final String TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
-    private static final String PLY_TRIANGLE = "element vertex 3\nproperty float x\nproperty float y\n"
-            + "property float z\nelement face 1\nproperty list int int vertex_indices\nend_header\n"
-            + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    private static final String PLY_TRIANGLE = """
+            element vertex 3
+            property float x
+            property float y
+            property float z
+            element face 1
+            property list int int vertex_indices
+            end_header
+            0 0 0
+            1 0 0
+            0 1 0
+            3 0 1 2
+            """;
     private static final String LFS_POINTER = "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n";
 
     @TempDir

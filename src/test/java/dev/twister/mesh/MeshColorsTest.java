@@ -11,8 +11,14 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Colors of vertices and faces. */
 class MeshColorsTest {
-    private static final String PLY_VERTICES =
-            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n" + "property float y\nproperty float z\n";
+    private static final String PLY_VERTICES = """
+            ply
+            format ascii 1.0
+            element vertex 3
+            property float x
+            property float y
+            property float z
+            """;
 
     /** Linear value of half of what sRGB stores in 8 bits. */
     private static final float HALF = (float) ColorCurve.linear(128 / 255.0);

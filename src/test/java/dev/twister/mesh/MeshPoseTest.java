@@ -14,8 +14,17 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class MeshPoseTest {
     private static final String OBJ = "v -1 0 0\nv 1 0 0\nv 0 0 3\nf 1 2 3\n";
-    private static final String STL = "solid a\nfacet normal 0 0 1\nouter loop\nvertex -1 0 0\nvertex 1 0 0\n"
-            + "vertex 0 0 3\nendloop\nendfacet\nendsolid a\n";
+    private static final String STL = """
+            solid a
+            facet normal 0 0 1
+            outer loop
+            vertex -1 0 0
+            vertex 1 0 0
+            vertex 0 0 3
+            endloop
+            endfacet
+            endsolid a
+            """;
 
     @TempDir
     private Path folder;

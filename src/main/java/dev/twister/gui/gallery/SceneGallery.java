@@ -3,7 +3,6 @@ package dev.twister.gui.gallery;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.SettingsKeeper;
-import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.model.WindowSettings;
 import java.nio.file.Path;
 import java.util.List;
@@ -28,15 +27,13 @@ public final class SceneGallery implements AutoCloseable {
     private static final double HEIGHT = 680;
 
     private final Stage owner;
-    private final ShippedFolders shipped;
     private final SettingsKeeper settings;
     private final FileActions files;
     private final Thumbnails thumbnails = Thumbnails.ofThisUser();
     private Optional<Stage> window = Optional.empty();
 
-    public SceneGallery(Stage owner, ShippedFolders shipped, SettingsKeeper settings, FileActions files) {
+    public SceneGallery(Stage owner, SettingsKeeper settings, FileActions files) {
         this.owner = owner;
-        this.shipped = shipped;
         this.settings = settings;
         this.files = files;
     }

@@ -26,7 +26,11 @@ public final class NewScene {
 
     private NewScene() {}
 
-    /** @param sky a panorama's file */
+    /**
+     * The scene under a sky.
+     *
+     * @param sky a panorama's file
+     */
     public static Scene of(Path sky) {
         Rendering rendering = Rendering.DEFAULT;
         return Scene.under(sky)

@@ -30,7 +30,8 @@ final class DenoiserChoice {
     void look() {
         if (!asked) {
             asked = true;
-            CompletableFuture.supplyAsync(Denoisers::offer).thenAccept(offer -> Platform.runLater(() -> show(offer)));
+            CompletableFuture<Void> _ = CompletableFuture.supplyAsync(Denoisers::offer)
+                    .thenAccept(offer -> Platform.runLater(() -> show(offer)));
         }
     }
 
