@@ -25,13 +25,13 @@ public final class TitleDialog {
         TextField name = new TextField(title.name());
         name.setId("title-name");
         name.setPrefColumnCount(COLUMNS);
-        name.setTextFormatter(atMost(SceneLimits.MAX_NAME_LENGTH));
+        name.setTextFormatter(limited(SceneLimits.MAX_NAME_LENGTH));
         TextArea description = new TextArea(title.description());
         description.setId("title-description");
         description.setPrefColumnCount(COLUMNS);
         description.setPrefRowCount(ROWS);
         description.setWrapText(true);
-        description.setTextFormatter(atMost(SceneLimits.MAX_DESCRIPTION_LENGTH));
+        description.setTextFormatter(limited(SceneLimits.MAX_DESCRIPTION_LENGTH));
         GridPane form = new GridPane();
         form.getStyleClass().add("render-form");
         form.addRow(0, label("_Name", name), name);
@@ -64,7 +64,7 @@ public final class TitleDialog {
         return label;
     }
 
-    private static TextFormatter<String> atMost(int letters) {
+    private static TextFormatter<String> limited(int letters) {
         return new TextFormatter<>(change -> change.getControlNewText().length() <= letters ? change : null);
     }
 }
