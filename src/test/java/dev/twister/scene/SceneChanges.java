@@ -64,6 +64,8 @@ public final class SceneChanges {
             case Path file -> leaf(other(file));
             case Enum<?> constant -> leaf(next(constant));
             case Record record -> ofRecord(record);
+            // Maps that mesh files alone have.
+            case Optional<?> none when none.isEmpty() -> Stream.empty();
             case Optional<?> some ->
                 of(some.orElseThrow()).map(change -> new Change<>(change.place(), Optional.of(change.value())));
             // Views have no keyframes.

@@ -2,11 +2,14 @@ package dev.twister.scene.format;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.scene.Alpha;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraView;
 import dev.twister.scene.Emission;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
+import dev.twister.scene.ImageMap;
+import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
@@ -105,13 +108,17 @@ class SceneFilePropertyTest {
     private static Arbitrary<Scene> scenes(int version, SequencedMap<String, Material> materials) {
         return Values.of(format(version, materials).scene())
                 .map(scene -> scene.withMaterials(materials))
-                .map(scene -> scene.withGround(
-                        scene.ground().withMaterial(scene.ground().material().withEmission(Emission.NONE))))
+                .map(scene -> scene.withGround(scene.ground()
+                        .withMaterial(opaque(scene.ground().material()).withEmission(Emission.NONE))))
+                .map(scene -> scene.withSpheres(scene.spheres().stream()
+                        .map(sphere -> sphere.withMaterial(opaque(sphere.material())))
+                        .toList()))
                 .map(scene -> scene.withCamera(risingTimes(scene.camera())))
                 .map(scene -> scene.withViews(withOwnNames(scene.views())))
                 .map(scene -> scene.pour()
-                        .map(pour ->
-                                scene.withPour(fitting(pour, scene.spheres().size())))
+                        .map(pour -> scene.withPour(fitting(
+                                pour.withMaterial(opaque(pour.material())),
+                                scene.spheres().size())))
                         .orElse(scene))
                 .map(SceneFilePropertyTest::withFiles);
     }
@@ -153,8 +160,21 @@ class SceneFilePropertyTest {
         };
     }
 
+    private static Material opaque(Material material) {
+        return material.withAlpha(Alpha.OPAQUE);
+    }
+
     private static Material withFiles(Material material) {
-        return material.withTexture(material.texture().map(FOLDER::resolve));
+        Maps maps = material.maps();
+        return material.withTexture(material.texture().map(FOLDER::resolve))
+                .withMaps(maps.withEmission(maps.emission().map(SceneFilePropertyTest::withFile))
+                        .withRoughness(maps.roughness().map(SceneFilePropertyTest::withFile))
+                        .withMetallic(maps.metallic().map(SceneFilePropertyTest::withFile))
+                        .withNormal(maps.normal().map(SceneFilePropertyTest::withFile)));
+    }
+
+    private static ImageMap withFile(ImageMap map) {
+        return ImageMap.of(FOLDER.resolve(map.file())).withScale(map.scale());
     }
 
     private static Camera risingTimes(Camera camera) {

@@ -101,12 +101,12 @@ final class CornerLanes {
                     .add(hierarchy[row + 3]);
             FloatVector.fromArray(Lanes.FLOATS, t, to).blend(coordinate, here).intoArray(t, to);
         }
-        ontoPlane(t, at + Tile.POINT_X + Tile.SIZE, corners, here, hierarchy, rows + 4, planeHeight);
+        ontoPlane(t, at + Tile.POINT_X + Tile.SIZE, corners, lanes, hierarchy, rows + 4, planeHeight);
     }
 
     /** Moves heights that rounding cannot tell from the plane's to that, as {@code MeshSurface} does. */
     private static void ontoPlane(
-            float[] t, int to, float[] corners, VectorMask<Float> here, float[] hierarchy, int row, float height) {
+            float[] t, int to, float[] corners, long lanes, float[] hierarchy, int row, float height) {
         FloatVector y = FloatVector.fromArray(Lanes.FLOATS, t, to);
         FloatVector slack = FloatVector.fromArray(Lanes.FLOATS, corners, NORMAL)
                 .mul(hierarchy[row])
@@ -120,7 +120,7 @@ final class CornerLanes {
                 .add(Math.abs(hierarchy[row + 3]) + Math.abs(height))
                 .mul(Triangle.ROUNDING);
         VectorMask<Float> on =
-                y.sub(height).abs().compare(VectorOperators.LE, slack).and(here);
+                y.sub(height).abs().compare(VectorOperators.LE, slack).and(VectorMask.fromLong(Lanes.FLOATS, lanes));
         y.blend(height, on).intoArray(t, to);
     }
 
