@@ -26,6 +26,9 @@ final class SeveralFiles {
      * @throws BadInputException if there is no such file
      */
     static Optional<List<Path>> of(String argument) {
+        if (argument.isEmpty()) {
+            return Optional.empty();
+        }
         Path path;
         try {
             path = Path.of(argument);

@@ -47,7 +47,7 @@ class BadInputTest {
                 "render benchmark -o FOLDER | must end in",
                 "render benchmark -o FOLDER/a.png --overwrite | --overwrite requires --frames",
                 "render benchmark -o FOLDER/a%d-#.png --physics --frames 2 | one pattern for the frame number",
-                "render benchmrk -o FOLDER/a.png | shipped are: benchmark",
+                "render benchmrk -o FOLDER/a.png | shipped are: atrium, benchmark",
                 "render missing.json -o FOLDER/a.png | missing.json",
                 "render FOLDER -o FOLDER/a.png | FOLDER",
                 "render benchmark -o FOLDER/a.png --size 0x5 | the size 0x5 has no pixels",

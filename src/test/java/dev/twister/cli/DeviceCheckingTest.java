@@ -51,7 +51,7 @@ class DeviceCheckingTest {
 
         assertThat(check(List.of(wrong), Optional.empty())).isFalse();
 
-        assertThat(out.toString()).contains("WRONG: benchmark 144 of 144");
+        assertThat(out.toString()).contains("WRONG: ", "benchmark 144 of 144");
     }
 
     private boolean check(List<EngineOffer> offers, Optional<Path> json) throws IOException {
