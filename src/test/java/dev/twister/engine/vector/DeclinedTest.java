@@ -36,7 +36,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** The scalar kernel renders what the lanes decline, so the picture stays the same. */
 final class DeclinedTest {
-    private static final List<Integer> WIDTHS = List.of(128, 256, 512);
     private static final int ALWAYS_WALK = 0;
     private static final int NEVER_WALK = Integer.MAX_VALUE;
 
@@ -56,7 +55,7 @@ final class DeclinedTest {
             new Kind("all bodies", _ -> true));
 
     static Stream<Object[]> widthsAndKinds() {
-        return WIDTHS.stream().flatMap(bits -> KINDS.stream().map(kind -> new Object[] {bits, kind}));
+        return WidthLoader.WIDTHS.stream().flatMap(bits -> KINDS.stream().map(kind -> new Object[] {bits, kind}));
     }
 
     @ParameterizedTest(name = "{1} at {0} bits")

@@ -34,7 +34,6 @@ import org.junit.jupiter.params.provider.MethodSource;
  * glass.
  */
 final class MaterialsInLanesTest {
-    private static final List<Integer> WIDTHS = List.of(128, 256, 512);
     private static final int NEVER_WALK = Integer.MAX_VALUE;
     private static final int SCENES = 30;
     private static final Path FILE = Path.of("texture.png").toAbsolutePath();
@@ -48,7 +47,8 @@ final class MaterialsInLanesTest {
     }
 
     static Stream<Object[]> widthsAndKinds() {
-        return WIDTHS.stream().flatMap(bits -> Stream.of(Kind.values()).map(kind -> new Object[] {bits, kind}));
+        return WidthLoader.WIDTHS.stream()
+                .flatMap(bits -> Stream.of(Kind.values()).map(kind -> new Object[] {bits, kind}));
     }
 
     @ParameterizedTest(name = "{1} at {0} bits")

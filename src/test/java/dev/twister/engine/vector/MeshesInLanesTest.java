@@ -49,7 +49,7 @@ class MeshesInLanesTest {
     private static final int NEVER_WALK = Integer.MAX_VALUE;
 
     static Stream<Object[]> widthsAndWays() {
-        return Stream.of(128, 256, 512)
+        return WidthLoader.WIDTHS.stream()
                 .flatMap(bits -> Stream.of(ALWAYS_WALK, NEVER_WALK).map(crowd -> new Object[] {bits, crowd}));
     }
 

@@ -43,7 +43,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Compares the engine with {@code sequential}, at every vector width. */
 final class VectorEngineTest {
-    private static final List<Integer> WIDTHS = List.of(128, 256, 512);
 
     /** Transparent, so no rendered pixel equals it and unwritten pixels show. */
     private static final int POISON = 0x00BADBAD;
@@ -57,7 +56,7 @@ final class VectorEngineTest {
     }
 
     static Stream<Arguments> widthsAndScenes() {
-        return WIDTHS.stream().flatMap(bits -> scenes().map(scene -> Arguments.of(bits, scene)));
+        return WidthLoader.WIDTHS.stream().flatMap(bits -> scenes().map(scene -> Arguments.of(bits, scene)));
     }
 
     static Stream<String> scenes() {
@@ -202,7 +201,7 @@ final class VectorEngineTest {
     }
 
     static Stream<Arguments> widthsAndSizes() {
-        return WIDTHS.stream()
+        return WidthLoader.WIDTHS.stream()
                 .flatMap(bits -> Stream.of(
                         Arguments.of(bits, 1, 1),
                         Arguments.of(bits, 1, 67),

@@ -7,10 +7,12 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Properties;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.IntPredicate;
+import jdk.incubator.vector.FloatVector;
 
 /**
  * Loads the engine's classes once per vector width, as the lane count is a class constant. All other classes come from
@@ -18,6 +20,14 @@ import java.util.function.IntPredicate;
  */
 final class WidthLoader extends ClassLoader {
     private static final String PACKAGE = VectorEngines.class.getPackageName() + ".";
+
+    /**
+     * Vector widths in bits at which many scenes are compared: the CPU's own, or 128, 256 and 512 with
+     * {@code -Dtwister.widths=all}.
+     */
+    static final List<Integer> WIDTHS = "all".equals(System.getProperty("twister.widths"))
+            ? List.of(128, 256, 512)
+            : List.of(Math.clamp(FloatVector.SPECIES_PREFERRED.vectorBitSize(), 128, 512));
 
     private static final Map<Map<String, String>, WidthLoader> LOADERS = new ConcurrentHashMap<>();
 
