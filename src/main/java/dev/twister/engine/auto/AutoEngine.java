@@ -47,11 +47,10 @@ final class AutoEngine implements Engine {
             successor.await();
             successor.take().ifPresent(this::goOverTo);
         }
-        if (!succeeded) {
-            successor.follow(input);
-        }
         draw(input, frame);
         if (!succeeded) {
+            // Not before the first frame, which may be the only one.
+            successor.follow(input);
             double samples = (double) frame.width() * frame.height() * input.samplesPerPixel();
             successor.mustBeat(frame.times().totalNanos(), samples);
         }
