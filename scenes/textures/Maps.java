@@ -33,7 +33,7 @@ public class Maps {
         ImageIO.write(image, "png", new File("scenes/textures/" + name + ".png"));
     }
 
-    /** Distance from the nearest joint, from 0 to 1 on the brick's face: four courses of two bricks, every other moved. */
+    /** Distance from the nearest joint, 0 to 1 on a brick's face: four courses of two bricks, every second one moved. */
     private static double depth(double u, double v) {
         double course = 4 * v;
         double along = 2 * u + (Math.floor(course) % 2 == 0 ? 0 : 0.5);
@@ -47,7 +47,9 @@ public class Maps {
         double wear = 0.85 + 0.15 * wear(u, v);
         double tone = 0.8 + 0.2 * wear(Math.floor(2 * u + 0.5) / 3, Math.floor(4 * v) / 5);
         return rgb(
-                mix(0.62, 0.66 * wear * tone, brick), mix(0.6, 0.27 * wear * tone, brick), mix(0.56, 0.2 * wear, brick));
+                mix(0.62, 0.66 * wear * tone, brick),
+                mix(0.6, 0.27 * wear * tone, brick),
+                mix(0.56, 0.2 * wear, brick));
     }
 
     /** Glazed bricks between rough joints; nothing is metal. */

@@ -13,7 +13,6 @@ import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 
@@ -24,8 +23,6 @@ import java.util.function.Consumer;
  * @param content what was read from the file
  */
 record Model(Scene scene, MeshFile content) {
-    private static final List<String> ENDINGS = List.of(".obj", ".gltf", ".glb", ".ply", ".stl");
-
     private static final int SAMPLES = 4;
     private static final int SHADOW_SAMPLES = 8;
 
@@ -34,7 +31,7 @@ record Model(Scene scene, MeshFile content) {
     /** Whether a file is a mesh by its name. */
     static boolean isNamed(Path file) {
         String name = file.toString().toLowerCase(Locale.ROOT);
-        return ENDINGS.stream().anyMatch(name::endsWith);
+        return MeshReader.ENDINGS.stream().anyMatch(name::endsWith);
     }
 
     /**

@@ -25,7 +25,7 @@ final class OpenImageDenoise implements Denoiser {
         this(device, Long.MAX_VALUE);
     }
 
-    /** As above, in bands of at most so many pixels. */
+    /** As above, in bands of at most {@code mostPixels} pixels. */
     OpenImageDenoise(OidnDevice device, long mostPixels) {
         this.device = device;
         this.mostPixels = mostPixels;

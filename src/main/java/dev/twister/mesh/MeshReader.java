@@ -10,11 +10,15 @@ import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 
 /** Reads mesh files: OBJ, glTF 2.0 (including binary), PLY and STL; makes shapes. */
 public final class MeshReader {
+    /** Endings of mesh files' names, in small letters. */
+    public static final List<String> ENDINGS = List.of(".obj", ".gltf", ".glb", ".ply", ".stl");
+
     private MeshReader() {}
 
     /**

@@ -148,7 +148,7 @@ public final class BodyActions {
         }
     }
 
-    /** Whether the scene may have so many lights more; tells it if not. */
+    /** Whether the scene may have this number of lights more; reports it if not. */
     private boolean hasRoomFor(int lights) {
         boolean room = studio.scene().lights().count() + lights <= SceneLimits.MAX_LIGHTS;
         if (!room) {

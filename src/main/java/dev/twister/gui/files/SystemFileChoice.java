@@ -3,6 +3,7 @@ package dev.twister.gui.files;
 import dev.twister.gui.model.ChosenFile;
 import dev.twister.gui.model.PictureFile;
 import dev.twister.gui.model.ScenePatterns;
+import dev.twister.mesh.MeshReader;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,7 +19,8 @@ import javafx.stage.Window;
 public final class SystemFileChoice implements FileChoice {
     private static final String SCENE = "*" + ChosenFile.SCENE;
     private static final List<String> PANORAMAS = List.of("*.hdr", "*.pic", "*.png", "*.jpg", "*.jpeg");
-    private static final List<String> MESHES = List.of("*.obj", "*.gltf", "*.glb", "*.ply", "*.stl");
+    private static final List<String> MESHES =
+            MeshReader.ENDINGS.stream().map(ending -> "*" + ending).toList();
     private static final List<String> TEXTURES = List.of("*.png", "*.jpg", "*.jpeg");
 
     private final Window owner;
