@@ -13,6 +13,7 @@ import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Track;
 import dev.twister.scene.format.SceneWriter;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
@@ -30,6 +31,7 @@ import java.util.List;
 public final class SceneBuilder {
     private final List<Sphere> spheres = new ArrayList<>();
     private final List<Mesh> meshes = new ArrayList<>();
+    private final List<Track> tracks = new ArrayList<>();
     // The file's name is never read: the sky is here.
     private Scene scene = Scene.under(Path.of("sky"));
     private Skybox sky = uniform(new Rgb(0.8, 0.8, 0.8));
@@ -71,6 +73,12 @@ public final class SceneBuilder {
         return this;
     }
 
+    /** Adds a track, which changes a property in a film: see {@link dev.twister.world.Animation}. */
+    public SceneBuilder track(Track track) {
+        tracks.add(track);
+        return this;
+    }
+
     /** A sky of one color, as linear radiance. */
     public SceneBuilder sky(Rgb color) {
         return sky(uniform(color));
@@ -93,6 +101,11 @@ public final class SceneBuilder {
         return this;
     }
 
+    /** The scene, whose sky has no file; {@code Animation.at} tells what it is at a time of its film. */
+    public Scene scene() {
+        return scene.withSpheres(spheres).withMeshes(meshes).withTracks(tracks);
+    }
+
     /**
      * The world at the start; meshes and textures are read from their files.
      *
@@ -101,7 +114,7 @@ public final class SceneBuilder {
      * @throws MeshException where a mesh cannot be read
      */
     public World world() {
-        Scene whole = scene.withSpheres(spheres).withMeshes(meshes);
+        Scene whole = scene();
         SceneWriter.check(whole);
         SceneMeshes read = SceneMeshes.read(whole, _ -> {});
         return World.of(whole, SceneImages.read(whole, sky, read, _ -> {}), read);
