@@ -271,7 +271,9 @@ class FilmTest {
                         .replace(
                                 "  \"spheres\"",
                                 "  \"tracks\": [{\"target\": \"rendering\", \"property\": \"exposure\","
-                                        + " \"keyframes\": [{\"time\": 0, \"value\": -20}]}],\n  \"spheres\"")
+                                        + " \"keyframes\": [{\"time\": 0, \"value\": -20}]},"
+                                        + "{\"target\": \"sky\", \"property\": \"strength\","
+                                        + " \"keyframes\": [{\"time\": 0, \"value\": 1}]}],\n  \"spheres\"")
                         .replace(
                                 "../skyboxes",
                                 new File("skyboxes").getAbsolutePath().replace('\\', '/')));
@@ -284,7 +286,9 @@ class FilmTest {
 
     @Test
     void aTimeNeedsKeyframes() {
-        assertThat(renderScene("teaching", "x.png", "--time", "1").err())
+        Path file = folder.resolve("x.png");
+
+        assertThat(Outcome.of("render", "teaching", "-o", file.toString(), "--time", "1").err())
                 .startsWith("twister: --time requires a scene with keyframes");
     }
 
