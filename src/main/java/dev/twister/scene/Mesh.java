@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -25,6 +27,13 @@ public record Mesh(
     /** As its file has it; has the values of the fields that a scene file leaves out. */
     public static final Mesh DEFAULT =
             new Mesh(new Geometry.OfFile(Path.of("")), Vector3.ZERO, Vector3.ZERO, 1, 0, Optional.empty());
+
+    public Mesh {
+        requireNonNull(geometry, "geometry");
+        requireNonNull(position, "position");
+        requireNonNull(rotation, "rotation");
+        requireNonNull(material, "material");
+    }
 
     /** As the file has it, at the origin. */
     public static Mesh of(Path file) {

@@ -1,11 +1,14 @@
 package dev.twister.world;
 
+import static java.util.Objects.requireNonNull;
+
 import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneException;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 
@@ -180,7 +183,13 @@ public final class World {
         return scene.camera();
     }
 
+    /**
+     * Sets the camera of the next snapshots.
+     *
+     * @throws SceneException if a value is out of range; the message names it
+     */
     public void setCamera(Camera newCamera) {
+        requireNonNull(newCamera, "camera").requireInRange();
         scene = scene.withCamera(newCamera);
     }
 
@@ -188,7 +197,13 @@ public final class World {
         return scene.rendering();
     }
 
+    /**
+     * Sets size and quality of the next snapshots.
+     *
+     * @throws SceneException if a value is out of range; the message names it
+     */
     public void setSettings(Rendering newSettings) {
+        requireNonNull(newSettings, "settings").requireInRange();
         Rendering before = scene.rendering();
         scene = scene.withRendering(newSettings);
         putSamples(before);
