@@ -14,7 +14,9 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;
+import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Triangles;
 import dev.twister.scene.format.SceneWriter;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
@@ -67,7 +69,9 @@ public final class SceneBuilder {
         return this;
     }
 
-    /** Adds triangles: those of a file, or of a {@link dev.twister.scene.Shape}, by {@link Mesh#of}. */
+    /**
+     * Adds triangles: those of a file, of a {@link dev.twister.scene.Shape}, or {@link Triangles}, by {@link Mesh#of}.
+     */
     public SceneBuilder mesh(Mesh mesh) {
         meshes.add(requireNonNull(mesh, "mesh"));
         return this;
@@ -111,9 +115,17 @@ public final class SceneBuilder {
      */
     public World world() {
         Scene whole = scene.withSpheres(spheres).withMeshes(meshes);
-        SceneWriter.check(whole);
+        SceneWriter.check(
+                whole.withMeshes(meshes.stream().map(SceneBuilder::inFile).toList()));
         SceneMeshes read = SceneMeshes.read(whole, _ -> {});
         return World.of(whole, SceneImages.read(whole, sky, read, _ -> {}), read);
+    }
+
+    /** No file can have triangles of code, so that a shape stands for them where values are checked. */
+    private static Mesh inFile(Mesh mesh) {
+        return mesh.geometry() instanceof Triangles
+                ? mesh.withGeometry(Shape.of(Shape.Kind.BOX, 1)).withSmooth(0)
+                : mesh;
     }
 
     private static Skybox uniform(Rgb color) {

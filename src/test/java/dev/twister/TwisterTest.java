@@ -6,13 +6,16 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.image.Frame;
+import dev.twister.mesh.MeshException;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Triangles;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
@@ -64,6 +67,40 @@ class TwisterTest {
         int without = middle(scene);
         Mesh vase = Mesh.of(Path.of("scenes", "meshes", "vase.ply")).withScale(3);
         assertThat(middle(scene.mesh(vase))).isNotEqualTo(without);
+    }
+
+    @Test
+    void trianglesOfCodeLookLikeTheShape() {
+        float[] corners = {-1, 2, 0, 1, 2, 0, 1, 0, 0, -1, 0, 0};
+        Mesh made = Mesh.of(Triangles.of("wall", corners, new int[] {0, 1, 2, 0, 2, 3}));
+        Mesh quad = Mesh.of(new Shape(Shape.Kind.QUAD, new Vector3(2, 2, 0))).withPosition(new Vector3(0, 1, 0));
+        assertThat(Twister.render(level().mesh(made)).frame().argb())
+                .isEqualTo(Twister.render(level().mesh(quad)).frame().argb());
+    }
+
+    @Test
+    void trianglesOfCodeMoveWithTheirMesh() {
+        Mesh made = Mesh.of(Triangles.of("wall", new float[] {-1, 0, 0, 0, 2, 0, 1, 0, 0}, new int[] {0, 1, 2}));
+        World world = level().mesh(made).world();
+        int[] here = Twister.render(world, "parallel").frame().argb();
+        world.setMesh(0, made.withPosition(new Vector3(50, 0, 0)));
+        assertThat(Twister.render(world, "parallel").frame().argb())
+                .isNotEqualTo(here)
+                .isEqualTo(Twister.render(level()).frame().argb());
+    }
+
+    @Test
+    void trianglesOfCodeAreChecked() {
+        float[] corners = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+        assertRefused(() -> Triangles.of("t", corners, new int[] {0, 1, 3}), "corners[2] is 3, but must be a number");
+        assertRefused(() -> Triangles.of("t", corners, new int[] {0, 1}), "corners has 2 numbers, but");
+        assertRefused(
+                () -> Triangles.of("t", new float[] {0, Float.NaN, 0}, new int[] {0, 0, 0}),
+                "positions[1] is NaN, but");
+        Mesh flat = Mesh.of(Triangles.of("flat", corners, new int[] {0, 1, 1}));
+        assertThatThrownBy(level().mesh(flat)::world)
+                .isInstanceOf(MeshException.class)
+                .hasMessageEndingWith("flat: holds no triangle with an area");
     }
 
     private static SceneBuilder level() {

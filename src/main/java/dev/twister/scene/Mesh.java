@@ -50,11 +50,11 @@ public record Mesh(
         return "mesh";
     }
 
-    /** The file that it is read from; empty for a shape. */
+    /** The file that it is read from; empty where there is none. */
     public Optional<Path> file() {
         return switch (geometry) {
             case Geometry.OfFile(Path path) -> Optional.of(path);
-            case Shape _ -> Optional.empty();
+            case Shape _, Triangles _ -> Optional.empty();
         };
     }
 

@@ -6,11 +6,14 @@ import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Integrator;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
+import java.util.ArrayList;
+import java.util.List;
 
 /** The mutable state between frames, initialized from a scene. For use by one thread; engines get snapshots. */
 public final class World {
@@ -177,6 +180,29 @@ public final class World {
         if (now.samplesPerPixel() != before.samplesPerPixel()) {
             pixelSamples = PixelSamples.of(now.samplesPerPixel());
         }
+    }
+
+    /** The scene that is shown, with the camera and the settings as they are now; bodies are where it began. */
+    public Scene scene() {
+        return scene;
+    }
+
+    /**
+     * Moves, turns or scales a mesh. Spheres that were moved go back to where the scene has them.
+     *
+     * @param index of the mesh in the scene, from 0
+     * @param mesh has the triangles and the material that it had
+     * @throws IllegalArgumentException if its triangles are others
+     */
+    public void setMesh(int index, Mesh mesh) {
+        if (!mesh.geometry().equals(scene.meshes().get(index).geometry())) {
+            throw new IllegalArgumentException("mesh " + index + " is "
+                    + scene.meshes().get(index).geometry().name() + ", but the new one is "
+                    + mesh.geometry().name());
+        }
+        List<Mesh> edited = new ArrayList<>(scene.meshes());
+        edited.set(index, mesh);
+        show(scene.withMeshes(edited));
     }
 
     public Camera camera() {
