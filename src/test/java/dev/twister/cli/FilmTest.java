@@ -288,7 +288,8 @@ class FilmTest {
     void aTimeNeedsKeyframes() {
         Path file = folder.resolve("x.png");
 
-        assertThat(Outcome.of("render", "teaching", "-o", file.toString(), "--time", "1").err())
+        assertThat(Outcome.of("render", "teaching", "-o", file.toString(), "--time", "1")
+                        .err())
                 .startsWith("twister: --time requires a scene with keyframes");
     }
 
