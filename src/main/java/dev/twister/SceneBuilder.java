@@ -1,5 +1,7 @@
 package dev.twister;
 
+import static java.util.Objects.requireNonNull;
+
 import dev.twister.mesh.MeshException;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
@@ -12,7 +14,9 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;
+import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Triangles;
 import dev.twister.scene.format.SceneWriter;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
@@ -35,7 +39,7 @@ public final class SceneBuilder {
     private Skybox sky = uniform(new Rgb(0.8, 0.8, 0.8));
 
     public SceneBuilder camera(Camera camera) {
-        scene = scene.withCamera(camera);
+        scene = scene.withCamera(requireNonNull(camera, "camera"));
         return this;
     }
 
@@ -55,30 +59,39 @@ public final class SceneBuilder {
     }
 
     public SceneBuilder ground(Ground ground) {
-        scene = scene.withGround(ground);
+        scene = scene.withGround(requireNonNull(ground, "ground"));
         return this;
     }
 
     /** Adds a sphere. */
     public SceneBuilder sphere(Sphere sphere) {
-        spheres.add(sphere);
+        spheres.add(requireNonNull(sphere, "sphere"));
         return this;
     }
 
-    /** Adds triangles: those of a file, or of a {@link dev.twister.scene.Shape}, by {@link Mesh#of}. */
+    /**
+     * Adds triangles: those of a file, of a {@link dev.twister.scene.Shape}, or {@link Triangles}, by {@link Mesh#of}.
+     */
     public SceneBuilder mesh(Mesh mesh) {
-        meshes.add(mesh);
+        meshes.add(requireNonNull(mesh, "mesh"));
         return this;
     }
 
-    /** A sky of one color, as linear radiance. */
+    /**
+     * A sky of one color, as linear radiance.
+     *
+     * @throws SceneException where a channel is not from 0 to 1,000,000
+     */
     public SceneBuilder sky(Rgb color) {
+        SceneLimits.RADIANCE.require("sky.red", color.red());
+        SceneLimits.RADIANCE.require("sky.green", color.green());
+        SceneLimits.RADIANCE.require("sky.blue", color.blue());
         return sky(uniform(color));
     }
 
     /** A panorama, such as one of {@link dev.twister.sky.DaylightSky}. */
     public SceneBuilder sky(Skybox panorama) {
-        sky = panorama;
+        sky = requireNonNull(panorama, "panorama");
         return this;
     }
 
@@ -89,7 +102,7 @@ public final class SceneBuilder {
     }
 
     public SceneBuilder rendering(Rendering rendering) {
-        scene = scene.withRendering(rendering);
+        scene = scene.withRendering(requireNonNull(rendering, "rendering"));
         return this;
     }
 
@@ -102,9 +115,17 @@ public final class SceneBuilder {
      */
     public World world() {
         Scene whole = scene.withSpheres(spheres).withMeshes(meshes);
-        SceneWriter.check(whole);
+        SceneWriter.check(
+                whole.withMeshes(meshes.stream().map(SceneBuilder::inFile).toList()));
         SceneMeshes read = SceneMeshes.read(whole, _ -> {});
         return World.of(whole, SceneImages.read(whole, sky, read, _ -> {}), read);
+    }
+
+    /** No file can have triangles of code, so that a shape stands for them where values are checked. */
+    private static Mesh inFile(Mesh mesh) {
+        return mesh.geometry() instanceof Triangles
+                ? mesh.withGeometry(Shape.of(Shape.Kind.BOX, 1)).withSmooth(0)
+                : mesh;
     }
 
     private static Skybox uniform(Rgb color) {

@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 /**
  * Light that a body emits.
  *
@@ -9,6 +11,10 @@ package dev.twister.scene;
  */
 public record Emission(Rgb color, double strength, boolean doubleSided) {
     public static final Emission NONE = new Emission(new Rgb(0, 0, 0), 1, true);
+
+    public Emission {
+        requireNonNull(color, "color");
+    }
 
     /** The emitted radiance. */
     public Rgb radiance() {

@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Optional;
 
 /**
@@ -15,6 +17,12 @@ import java.util.Optional;
 public record Light(Vector3 position, double radius, Rgb color, Optional<Double> strength, double share) {
     /** A white light of radius 1, 10 m above the origin. */
     public static final Light DEFAULT = new Light(new Vector3(0, 10, 0), 1, new Rgb(1, 1, 1), Optional.empty(), 1);
+
+    public Light {
+        requireNonNull(position, "position");
+        requireNonNull(color, "color");
+        requireNonNull(strength, "strength");
+    }
 
     /** A light whose other properties are the defaults. */
     public static Light of(Vector3 position, double radius, Rgb color) {

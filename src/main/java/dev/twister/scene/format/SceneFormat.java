@@ -22,6 +22,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;
+import dev.twister.scene.Shape;
 import dev.twister.scene.Sky;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Title;
@@ -298,7 +299,7 @@ final class SceneFormat {
                 MeshFields.SHAPE,
                 mesh(Mesh.of(MeshFields.DEFAULT), MeshFields.ofShape(), List.of()),
                 mesh(Mesh.DEFAULT, MeshFields.ofFile(file), MeshFields.shading()),
-                mesh -> mesh.file().isEmpty());
+                mesh -> mesh.geometry() instanceof Shape);
     }
 
     /**

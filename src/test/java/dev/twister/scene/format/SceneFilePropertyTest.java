@@ -16,6 +16,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
+import dev.twister.scene.Triangles;
 import dev.twister.scene.Vector3;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -157,6 +158,7 @@ class SceneFilePropertyTest {
                 double depth = shape.kind() == Shape.Kind.QUAD ? 0 : size.z();
                 yield new Shape(shape.kind(), new Vector3(size.x(), height, depth));
             }
+            case Triangles _ -> new Geometry.OfFile(FOLDER.resolve("made.ply"));
         };
     }
 
