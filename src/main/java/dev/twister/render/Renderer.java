@@ -55,7 +55,7 @@ public final class Renderer {
         order.engine().check();
         order.finishing().denoiser().ifPresent(DenoiserOffer::check);
         BodyMotion motion = order.movement().bodies();
-        try (PictureDrawing drawing = new PictureDrawing(order);
+        try (PictureDrawing drawing = new PictureDrawing(order, world::lightGroups);
                 FilmBodies bodies = FilmBodies.of(motion, order.scene(), world.meshes(), progress)) {
             Renderer rendering = new Renderer(order, progress, drawing, new FilmScene(order, world, bodies));
             rendering.setExposure();

@@ -50,6 +50,7 @@ public final class SceneLimits {
     public static final Range SEED = new Range(0, Integer.MAX_VALUE);
 
     public static final int MAX_LIGHTS = 4096;
+    public static final int MAX_LIGHT_GROUPS = 12;
     public static final int MAX_SPHERES = 500_000;
     public static final int MAX_MESHES = 10_000;
     public static final int MAX_MATERIALS = 256;

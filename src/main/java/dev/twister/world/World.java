@@ -282,6 +282,11 @@ public final class World {
         return new FrameInput(View.of(values, shadowDisc, pixelSamples, Aspect.FULL), shown, shownImages);
     }
 
+    /** The groups of the scene's lights, for {@link FrameInput#withLightLayers}. */
+    public LightGroups lightGroups() {
+        return LightGroups.of(scene, MeshBody.of(scene, meshes, origin));
+    }
+
     private float[] values(Bodies bodies) {
         Rendering settings = scene.rendering();
         float[] values = new float[Layout.SAMPLES];

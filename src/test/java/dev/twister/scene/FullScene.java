@@ -34,7 +34,8 @@ public final class FullScene {
                 new Lights(List.of(
                         Light.of(new Vector3(1, 1.6, 0), 0.3, new Rgb(0.9, 0.8, 0.7))
                                 .withStrength(Optional.of(5.0))
-                                .withShare(0.75),
+                                .withShare(0.75)
+                                .withGroup("lamp"),
                         Light.of(new Vector3(-1, 2.2, 0.5), 0.2, new Rgb(0.2, 0.4, 0.9)))),
                 materials,
                 new Ground(5, 0, new Rgb(0.1, 0.2, 0.3), material(0.3, 10)),
@@ -66,7 +67,7 @@ public final class FullScene {
                 transmission,
                 1.4,
                 Optional.of(TEXTURE),
-                new Emission(new Rgb(3, 2, 1), 0.5, false),
+                new Emission(new Rgb(3, 2, 1), 0.5, false, "lamp"),
                 new Attenuation(new Rgb(0.9, 0.8, 0.7), Optional.of(2.5)),
                 Alpha.OPAQUE,
                 Maps.NONE,

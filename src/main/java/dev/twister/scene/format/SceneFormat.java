@@ -33,6 +33,7 @@ import dev.twister.scene.format.ValueType.Choice;
 import dev.twister.scene.format.ValueType.Decimal;
 import dev.twister.scene.format.ValueType.FilePath;
 import dev.twister.scene.format.ValueType.Flag;
+import dev.twister.scene.format.ValueType.GroupName;
 import dev.twister.scene.format.ValueType.Lines;
 import dev.twister.scene.format.ValueType.Structure;
 import dev.twister.scene.format.ValueType.Text;
@@ -135,6 +136,8 @@ final class SceneFormat {
                             Light::withStrength)
                     .from(LIGHTS_SINCE),
             sparse("share", new Decimal(SceneLimits.LIGHT_SHARE), Light::share, Light::withShare)
+                    .from(LIGHTS_SINCE),
+            sparse("lightGroup", new GroupName(), Light::group, Light::withGroup)
                     .from(LIGHTS_SINCE));
 
     private static final List<Field<Ground, ?>> PLANE = List.of(

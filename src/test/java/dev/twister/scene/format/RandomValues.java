@@ -34,6 +34,7 @@ final class RandomValues {
                     case ValueType.WholeNumber(Range range) -> (int) number(range);
                     case ValueType.Flag() -> random.nextBoolean();
                     case ValueType.Text _ -> "";
+                    case ValueType.GroupName() -> "group-" + random.nextInt(MOST_ITEMS);
                     case ValueType.FilePath _ -> WholeRangeScenes.PICTURE;
                     case ValueType.Version(int newest) -> newest;
                     case ValueType.Choice<?>(Class<?> constants) ->

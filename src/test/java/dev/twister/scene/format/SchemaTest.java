@@ -129,6 +129,7 @@ class SchemaTest {
                         "minLength",
                         min,
                         schema(Map.of("type", "string", "maxLength", (double) max, "pattern", NO_CONTROL_CHARACTERS)));
+            case ValueType.GroupName() -> schema(Map.of("type", "string", "pattern", "^[A-Za-z0-9_-]{0,20}$"));
             case ValueType.FilePath(ValueType.Text text, NamedFiles _) -> schemaOf(text);
             case ValueType.Version(int newest) ->
                 schema(Map.of(

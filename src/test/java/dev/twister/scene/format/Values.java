@@ -28,6 +28,7 @@ final class Values {
                         Arbitraries.integers().between((int) range.min(), (int) range.max());
                     case ValueType.Flag() -> FLAGS;
                     case ValueType.Text(int min, int max) -> texts(min, max);
+                    case ValueType.GroupName() -> Arbitraries.of("", "lamp", "Key_light-2");
                     case ValueType.FilePath _ -> Arbitraries.of(FILES);
                     case ValueType.Version _ -> Arbitraries.just(1);
                     case ValueType.Choice<?>(Class<?> constants) -> Arbitraries.of(constants.getEnumConstants());
