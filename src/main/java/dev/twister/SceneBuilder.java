@@ -1,5 +1,7 @@
 package dev.twister;
 
+import static java.util.Objects.requireNonNull;
+
 import dev.twister.mesh.MeshException;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
@@ -12,7 +14,10 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;
+import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Track;
+import dev.twister.scene.Triangles;
 import dev.twister.scene.format.SceneWriter;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
@@ -30,12 +35,13 @@ import java.util.List;
 public final class SceneBuilder {
     private final List<Sphere> spheres = new ArrayList<>();
     private final List<Mesh> meshes = new ArrayList<>();
+    private final List<Track> tracks = new ArrayList<>();
     // The file's name is never read: the sky is here.
     private Scene scene = Scene.under(Path.of("sky"));
     private Skybox sky = uniform(new Rgb(0.8, 0.8, 0.8));
 
     public SceneBuilder camera(Camera camera) {
-        scene = scene.withCamera(camera);
+        scene = scene.withCamera(requireNonNull(camera, "camera"));
         return this;
     }
 
@@ -55,30 +61,45 @@ public final class SceneBuilder {
     }
 
     public SceneBuilder ground(Ground ground) {
-        scene = scene.withGround(ground);
+        scene = scene.withGround(requireNonNull(ground, "ground"));
         return this;
     }
 
     /** Adds a sphere. */
     public SceneBuilder sphere(Sphere sphere) {
-        spheres.add(sphere);
+        spheres.add(requireNonNull(sphere, "sphere"));
         return this;
     }
 
-    /** Adds triangles: those of a file, or of a {@link dev.twister.scene.Shape}, by {@link Mesh#of}. */
+    /**
+     * Adds triangles: those of a file, of a {@link dev.twister.scene.Shape}, or {@link Triangles}, by {@link Mesh#of}.
+     */
     public SceneBuilder mesh(Mesh mesh) {
-        meshes.add(mesh);
+        meshes.add(requireNonNull(mesh, "mesh"));
         return this;
     }
 
-    /** A sky of one color, as linear radiance. */
+    /** Adds a track, which changes a property in a film: see {@link dev.twister.world.Animation}. */
+    public SceneBuilder track(Track track) {
+        tracks.add(track);
+        return this;
+    }
+
+    /**
+     * A sky of one color, as linear radiance.
+     *
+     * @throws SceneException where a channel is not from 0 to 1,000,000
+     */
     public SceneBuilder sky(Rgb color) {
+        SceneLimits.RADIANCE.require("sky.red", color.red());
+        SceneLimits.RADIANCE.require("sky.green", color.green());
+        SceneLimits.RADIANCE.require("sky.blue", color.blue());
         return sky(uniform(color));
     }
 
     /** A panorama, such as one of {@link dev.twister.sky.DaylightSky}. */
     public SceneBuilder sky(Skybox panorama) {
-        sky = panorama;
+        sky = requireNonNull(panorama, "panorama");
         return this;
     }
 
@@ -89,8 +110,13 @@ public final class SceneBuilder {
     }
 
     public SceneBuilder rendering(Rendering rendering) {
-        scene = scene.withRendering(rendering);
+        scene = scene.withRendering(requireNonNull(rendering, "rendering"));
         return this;
+    }
+
+    /** The scene, whose sky has no file; {@code Animation.at} tells what it is at a time of its film. */
+    public Scene scene() {
+        return scene.withSpheres(spheres).withMeshes(meshes).withTracks(tracks);
     }
 
     /**
@@ -101,10 +127,18 @@ public final class SceneBuilder {
      * @throws MeshException where a mesh cannot be read
      */
     public World world() {
-        Scene whole = scene.withSpheres(spheres).withMeshes(meshes);
-        SceneWriter.check(whole);
+        Scene whole = scene();
+        SceneWriter.check(
+                whole.withMeshes(meshes.stream().map(SceneBuilder::inFile).toList()));
         SceneMeshes read = SceneMeshes.read(whole, _ -> {});
         return World.of(whole, SceneImages.read(whole, sky, read, _ -> {}), read);
+    }
+
+    /** No file can have triangles of code, so that a shape stands for them where values are checked. */
+    private static Mesh inFile(Mesh mesh) {
+        return mesh.geometry() instanceof Triangles
+                ? mesh.withGeometry(Shape.of(Shape.Kind.BOX, 1)).withSmooth(0)
+                : mesh;
     }
 
     private static Skybox uniform(Rgb color) {

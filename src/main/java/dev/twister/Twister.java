@@ -52,7 +52,21 @@ public final class Twister {
      * @throws MeshException where a mesh cannot be read
      */
     public static RenderedPicture render(SceneBuilder scene) {
-        return render(scene.world(), ENGINE);
+        return render(scene, ENGINE);
+    }
+
+    /**
+     * Renders a scene made in code.
+     *
+     * @param engine as of {@link #render(Scene, String)}
+     * @throws SceneException where a value is out of range
+     * @throws SkyException where a texture cannot be read
+     * @throws MeshException where a mesh cannot be read
+     * @throws UnknownEngineException where no engine has that name
+     * @throws EngineException where the engine does not work here, or fails
+     */
+    public static RenderedPicture render(SceneBuilder scene, String engine) {
+        return render(scene.world(), engine);
     }
 
     /**

@@ -21,6 +21,7 @@ public interface Engine extends AutoCloseable {
      *
      * @throws EngineException if the engine or its device fails; the frame's content is then undefined
      * @throws IllegalArgumentException if the frame's width or height does not match the input
+     * @throws IllegalStateException if the engine is from {@link Engines#open} and was closed
      */
     void render(FrameInput input, Frame frame);
 

@@ -60,7 +60,7 @@ public final class Engines {
      * @throws EngineException if the engine cannot be opened
      */
     public static Engine open(String id) {
-        return offer(id).opener().get();
+        return new OpenEngine(offer(id).opener().get());
     }
 
     /**

@@ -3,6 +3,7 @@ package dev.twister.mesh;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Shape;
+import dev.twister.scene.Triangles;
 import dev.twister.scene.Vector3;
 
 /** The placement of a mesh in a scene. */
@@ -61,7 +62,7 @@ public final class MeshPlacement {
 
     private static Vector3 stretch(Mesh mesh) {
         return switch (mesh.geometry()) {
-            case Geometry.OfFile _ -> new Vector3(mesh.scale(), mesh.scale(), mesh.scale());
+            case Geometry.OfFile _, Triangles _ -> new Vector3(mesh.scale(), mesh.scale(), mesh.scale());
             case Shape shape -> shape.stretch().times(mesh.scale());
         };
     }

@@ -5,6 +5,7 @@ import dev.twister.files.InputFile;
 import dev.twister.files.SystemReason;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Shape;
+import dev.twister.scene.Triangles;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.FileChannel;
@@ -22,7 +23,7 @@ public final class MeshReader {
     private MeshReader() {}
 
     /**
-     * The triangles of a file, as {@link #read(Path, double, Consumer)}, or of a shape.
+     * The triangles of a file, as {@link #read(Path, double, Consumer)}, of a shape, or of code.
      *
      * @param geometry a shape is a basis, see {@link Shape#basis}
      */
@@ -30,6 +31,7 @@ public final class MeshReader {
         return switch (geometry) {
             case Geometry.OfFile(Path path) -> read(path, smoothDegrees, warnings);
             case Shape basis -> ShapeMaker.file(basis);
+            case Triangles triangles -> TrianglesOfCode.file(triangles, smoothDegrees);
         };
     }
 

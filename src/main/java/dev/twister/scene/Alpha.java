@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 /**
  * Opacity of a mesh.
  *
@@ -8,6 +10,10 @@ package dev.twister.scene;
  */
 public record Alpha(Mode mode, double factor, double cutoff) {
     public static final Alpha OPAQUE = new Alpha(Mode.OPAQUE, 1, 0.5);
+
+    public Alpha {
+        requireNonNull(mode, "mode");
+    }
 
     /** What opacity does. */
     public enum Mode {

@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Optional;
 
 /**
@@ -10,6 +12,11 @@ import java.util.Optional;
  */
 public record Attenuation(Rgb color, Optional<Double> distance) {
     public static final Attenuation NONE = new Attenuation(new Rgb(1, 1, 1), Optional.empty());
+
+    public Attenuation {
+        requireNonNull(color, "color");
+        requireNonNull(distance, "distance");
+    }
 
     public Attenuation withColor(Rgb newColor) {
         return new Attenuation(newColor, distance);

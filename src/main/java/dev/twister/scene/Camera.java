@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 
 /**
@@ -25,7 +27,22 @@ public record Camera(
     public static final Camera DEFAULT = new Camera(Vector3.ZERO, 0, 0, 60, 0, 10, List.of());
 
     public Camera {
+        requireNonNull(position, "position");
         keyframes = List.copyOf(keyframes);
+    }
+
+    /**
+     * Checks all but the keyframes.
+     *
+     * @throws SceneException if a value is out of range; the message names it
+     */
+    public void requireInRange() {
+        SceneLimits.POSITION.require("camera.position", position);
+        SceneLimits.YAW.require("camera.yaw", yawDegrees);
+        SceneLimits.PITCH.require("camera.pitch", pitchDegrees);
+        SceneLimits.FIELD_OF_VIEW.require("camera.fieldOfView", fieldOfViewDegrees);
+        SceneLimits.APERTURE.require("camera.aperture", aperture);
+        SceneLimits.FOCUS_DISTANCE.require("camera.focusDistance", focusDistance);
     }
 
     /** A camera whose other properties are the defaults; angles in degrees. */

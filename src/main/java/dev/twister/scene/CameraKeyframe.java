@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Optional;
 
 /**
@@ -21,6 +23,12 @@ public record CameraKeyframe(
         Optional<Double> focusDistance) {
     public static final CameraKeyframe DEFAULT =
             new CameraKeyframe(0, Vector3.ZERO, 0, 0, Optional.empty(), Optional.empty());
+
+    public CameraKeyframe {
+        requireNonNull(position, "position");
+        requireNonNull(fieldOfViewDegrees, "fieldOfViewDegrees");
+        requireNonNull(focusDistance, "focusDistance");
+    }
 
     /** The camera as it is, at a time in seconds. */
     public static CameraKeyframe of(double seconds, Camera camera) {

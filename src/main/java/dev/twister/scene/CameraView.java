@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 
 /**
@@ -12,6 +14,8 @@ public record CameraView(String name, Camera camera) {
     public static final CameraView DEFAULT = new CameraView("", Camera.DEFAULT);
 
     public CameraView {
+        requireNonNull(name, "name");
+        requireNonNull(camera, "camera");
         camera = camera.withKeyframes(List.of());
     }
 

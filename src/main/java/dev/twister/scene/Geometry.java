@@ -3,8 +3,8 @@ package dev.twister.scene;
 import java.nio.file.Path;
 
 /** Where the triangles of a mesh come from. */
-public sealed interface Geometry permits Geometry.OfFile, Shape {
-    /** A short name for people: that of the file, or of the shape. */
+public sealed interface Geometry permits Geometry.OfFile, Shape, Triangles {
+    /** A short name for people. */
     String name();
 
     /**

@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 /**
  * The checkered square ground, centered on the y axis.
  *
@@ -11,6 +13,11 @@ package dev.twister.scene;
 public record Ground(double size, double height, Rgb oddColor, Material material) {
     /** A matte square of 20 m at height 0, white and gray. */
     public static final Ground DEFAULT = new Ground(20, 0, new Rgb(0.5, 0.5, 0.5), Material.DEFAULT);
+
+    public Ground {
+        requireNonNull(oddColor, "oddColor");
+        requireNonNull(material, "material");
+    }
 
     /** A smooth, opaque plane; colors and reflectivity are {@link Material}'s. */
     public static Ground of(double size, double height, Rgb evenColor, Rgb oddColor, double reflectivity) {

@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -34,6 +36,17 @@ public record Maps(
             Optional.empty(),
             Optional.empty(),
             Optional.empty());
+
+    public Maps {
+        requireNonNull(texture, "texture");
+        requireNonNull(emission, "emission");
+        requireNonNull(roughness, "roughness");
+        requireNonNull(metallic, "metallic");
+        requireNonNull(normal, "normal");
+        requireNonNull(occlusion, "occlusion");
+        requireNonNull(transmission, "transmission");
+        requireNonNull(alpha, "alpha");
+    }
 
     /** Those that it has. */
     public List<ImageMap> all() {

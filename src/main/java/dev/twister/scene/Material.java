@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.Optional;
@@ -48,6 +50,15 @@ public record Material(
             Alpha.OPAQUE,
             Maps.NONE,
             false);
+
+    public Material {
+        requireNonNull(color, "color");
+        requireNonNull(texture, "texture");
+        requireNonNull(emission, "emission");
+        requireNonNull(attenuation, "attenuation");
+        requireNonNull(alpha, "alpha");
+        requireNonNull(maps, "maps");
+    }
 
     public Material withColor(Rgb newColor) {
         return new Material(

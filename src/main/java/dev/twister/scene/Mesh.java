@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -26,6 +28,13 @@ public record Mesh(
     public static final Mesh DEFAULT =
             new Mesh(new Geometry.OfFile(Path.of("")), Vector3.ZERO, Vector3.ZERO, 1, 0, Optional.empty());
 
+    public Mesh {
+        requireNonNull(geometry, "geometry");
+        requireNonNull(position, "position");
+        requireNonNull(rotation, "rotation");
+        requireNonNull(material, "material");
+    }
+
     /** As the file has it, at the origin. */
     public static Mesh of(Path file) {
         return of(new Geometry.OfFile(file));
@@ -41,11 +50,11 @@ public record Mesh(
         return "mesh";
     }
 
-    /** The file that it is read from; empty for a shape. */
+    /** The file that it is read from; empty where there is none. */
     public Optional<Path> file() {
         return switch (geometry) {
             case Geometry.OfFile(Path path) -> Optional.of(path);
-            case Shape _ -> Optional.empty();
+            case Shape _, Triangles _ -> Optional.empty();
         };
     }
 

@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 /**
  * How bodies move. Spheres have one density, so their mass is as their volume.
  *
@@ -14,6 +16,10 @@ public record Physics(
         Vector3 gravity, double elasticity, double friction, double damping, boolean walls, boolean solidLight) {
     /** What a scene file that is silent gets. */
     public static final Physics DEFAULT = new Physics(new Vector3(0, -9.81, 0), 0.5, 0.3, 0, true, false);
+
+    public Physics {
+        requireNonNull(gravity, "gravity");
+    }
 
     public Physics withGravity(Vector3 newGravity) {
         return new Physics(newGravity, elasticity, friction, damping, walls, solidLight);

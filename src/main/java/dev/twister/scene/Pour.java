@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 
 /**
@@ -31,6 +33,12 @@ public record Pour(
     /** One sphere of radius 0.1 m at the origin; to be changed by {@code with...} methods. */
     public static final Pour DEFAULT =
             new Pour(1, 1, Vector3.ZERO, 1, 1, 0.1, 0.1, Palette.DUSK, Material.DEFAULT.withReflectivity(8), 1);
+
+    public Pour {
+        requireNonNull(position, "position");
+        requireNonNull(palette, "palette");
+        requireNonNull(material, "material");
+    }
 
     public double reflectivity() {
         return material.reflectivity();

@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 /**
  * How a picture is made; a scene file gives the defaults, a command line or a panel overrides them.
  *
@@ -36,6 +38,26 @@ public record Rendering(
     /** 1280 x 720, 200 shadow samples and 3 bounces as in the paper, clamped, with the sRGB curve. */
     public static final Rendering DEFAULT =
             new Rendering(1280, 720, 200, 3, 1, 0, ToneMap.CLAMP, true, Integrator.WHITTED, DEFAULT_CLAMP);
+
+    public Rendering {
+        requireNonNull(toneMap, "toneMap");
+        requireNonNull(integrator, "integrator");
+    }
+
+    /**
+     * Checks all values.
+     *
+     * @throws SceneException if a value is out of range; the message names it
+     */
+    public void requireInRange() {
+        SceneLimits.SIDE.require("rendering.width", width);
+        SceneLimits.SIDE.require("rendering.height", height);
+        SceneLimits.SHADOW_SAMPLES.require("rendering.shadowSamples", shadowSamples);
+        SceneLimits.BOUNCES.require("rendering.bounces", bounces);
+        SceneLimits.SAMPLES_PER_PIXEL.require("rendering.samplesPerPixel", samplesPerPixel);
+        SceneLimits.EXPOSURE.require("rendering.exposure", exposure);
+        SceneLimits.CLAMP.require("rendering.clamp", clamp);
+    }
 
     public Rendering withSize(int newWidth, int newHeight) {
         return withWidth(newWidth).withHeight(newHeight);

@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 
 /**
@@ -10,6 +12,10 @@ import java.nio.file.Path;
  * @param strength what its radiance is multiplied by, 0 or more
  */
 public record Sky(Path file, double rotationDegrees, double strength) {
+    public Sky {
+        requireNonNull(file, "file");
+    }
+
     public static Sky of(Path file) {
         return new Sky(file, 0, 1);
     }

@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 /**
  * A sphere.
  *
@@ -9,6 +11,11 @@ package dev.twister.scene;
 public record Sphere(Vector3 position, double radius, Material material) implements Body {
     /** A matte white ball of radius 1 at the origin; has the values of the fields that {@link #of} leaves out. */
     public static final Sphere DEFAULT = new Sphere(Vector3.ZERO, 1, Material.DEFAULT);
+
+    public Sphere {
+        requireNonNull(position, "position");
+        requireNonNull(material, "material");
+    }
 
     /** A smooth, opaque sphere; color and reflectivity are {@link Material}'s. */
     public static Sphere of(Vector3 position, double radius, Rgb color, double reflectivity) {

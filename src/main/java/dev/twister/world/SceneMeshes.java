@@ -12,6 +12,7 @@ import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Shape;
+import dev.twister.scene.Triangles;
 import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -34,11 +35,11 @@ public final class SceneMeshes {
     private final float[] floats;
     private final Map<Source, Loaded> loadedBySource;
 
-    /** A file and the angle on which generated normals depend, or the basis of shapes of many sizes. */
+    /** Triangles and the angle on which generated normals depend, or the basis of shapes of many sizes. */
     public record Source(Geometry geometry, double smoothDegrees) {
         public static Source of(Mesh mesh) {
             return switch (mesh.geometry()) {
-                case Geometry.OfFile file -> new Source(file, mesh.smoothDegrees());
+                case Geometry.OfFile _, Triangles _ -> new Source(mesh.geometry(), mesh.smoothDegrees());
                 case Shape shape -> new Source(shape.basis(), 0);
             };
         }

@@ -1,13 +1,19 @@
 package dev.twister.world;
 
+import static java.util.Objects.requireNonNull;
+
 import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Integrator;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneException;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
+import java.util.ArrayList;
+import java.util.List;
 
 /** The mutable state between frames, initialized from a scene. For use by one thread; engines get snapshots. */
 public final class World {
@@ -176,11 +182,40 @@ public final class World {
         }
     }
 
+    /** The scene that is shown, with the camera and the settings as they are now; bodies are where it began. */
+    public Scene scene() {
+        return scene;
+    }
+
+    /**
+     * Moves, turns or scales a mesh. Spheres that were moved go back to where the scene has them.
+     *
+     * @param index of the mesh in the scene, from 0
+     * @param mesh has the triangles and the material that it had
+     * @throws IllegalArgumentException if its triangles are others
+     */
+    public void setMesh(int index, Mesh mesh) {
+        if (!mesh.geometry().equals(scene.meshes().get(index).geometry())) {
+            throw new IllegalArgumentException("mesh " + index + " is "
+                    + scene.meshes().get(index).geometry().name() + ", but the new one is "
+                    + mesh.geometry().name());
+        }
+        List<Mesh> edited = new ArrayList<>(scene.meshes());
+        edited.set(index, mesh);
+        show(scene.withMeshes(edited));
+    }
+
     public Camera camera() {
         return scene.camera();
     }
 
+    /**
+     * Sets the camera of the next snapshots.
+     *
+     * @throws SceneException if a value is out of range; the message names it
+     */
     public void setCamera(Camera newCamera) {
+        requireNonNull(newCamera, "camera").requireInRange();
         scene = scene.withCamera(newCamera);
     }
 
@@ -188,7 +223,13 @@ public final class World {
         return scene.rendering();
     }
 
+    /**
+     * Sets size and quality of the next snapshots.
+     *
+     * @throws SceneException if a value is out of range; the message names it
+     */
     public void setSettings(Rendering newSettings) {
+        requireNonNull(newSettings, "settings").requireInRange();
         Rendering before = scene.rendering();
         scene = scene.withRendering(newSettings);
         putSamples(before);
@@ -205,6 +246,11 @@ public final class World {
     public void setBodyPositions(float[] positions, int newBodies) {
         places.move(positions, newBodies);
         moved = true;
+    }
+
+    /** Puts the lights where the scene has them, after {@link #setBodyPositions} has put the first elsewhere. */
+    public void placeLights() {
+        places.put(scene.lights());
     }
 
     /**
@@ -239,6 +285,11 @@ public final class World {
             shownImages = tables.images();
         }
         return new FrameInput(View.of(values, shadowDisc, pixelSamples, Aspect.FULL), shown, shownImages);
+    }
+
+    /** The groups of the scene's lights, for {@link FrameInput#withLightLayers}. */
+    public LightGroups lightGroups() {
+        return LightGroups.of(scene, MeshBody.of(scene, meshes, origin));
     }
 
     private float[] values(Bodies bodies) {

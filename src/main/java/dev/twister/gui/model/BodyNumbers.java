@@ -8,6 +8,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Triangles;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
@@ -65,7 +66,7 @@ public final class BodyNumbers {
 
     private static List<NumberProperty<Scene>> ofMesh(Scene scene, int body) {
         Stream<NumberProperty<Mesh>> sides = switch (BodyEdits.mesh(scene, body).geometry()) {
-            case Geometry.OfFile _ -> Stream.empty();
+            case Geometry.OfFile _, Triangles _ -> Stream.empty();
             case Shape shape ->
                 SIDES.stream()
                         .limit(shape.kind() == Shape.Kind.QUAD ? 2 : 3)

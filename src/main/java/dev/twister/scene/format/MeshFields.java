@@ -5,6 +5,7 @@ import static dev.twister.scene.format.Field.sparse;
 
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
 import java.nio.file.Path;
@@ -50,7 +51,10 @@ final class MeshFields {
     }
 
     private static Path file(Mesh mesh) {
-        return mesh.file().orElseThrow();
+        return mesh.file()
+                .orElseThrow(() ->
+                        new SceneException("the triangles '" + mesh.geometry().name()
+                                + "' were made in code and cannot be in a scene file; write them to a mesh file"));
     }
 
     private static Mesh withFile(Mesh mesh, Path path) {

@@ -45,7 +45,7 @@ public final class SceneWriter {
                     scene,
                     new FilesBeside(file, WholeFile.behindLinks(file), false),
                     SchemaReference.of(like).filter(schema -> isKept(schema, file, like)));
-            check(text, name);
+            check(text, name + " (not written)");
             WholeFile.replace(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
         } catch (NoSuchFileException e) {
             throw failure(name, "there is no folder to write it in");
@@ -62,7 +62,7 @@ public final class SceneWriter {
     public static String text(Scene scene) {
         Path file = Path.of("scene.json").toAbsolutePath();
         String text = SceneDocument.of(scene, new FilesBeside(file, file, false), Optional.empty());
-        check(text, "the scene");
+        check(text, "scene");
         return text;
     }
 
@@ -72,7 +72,7 @@ public final class SceneWriter {
      * @throws SceneException if a value of the scene is out of range; the message is one line
      */
     public static void check(Scene scene) {
-        check(SceneDocument.of(scene, NamedFiles.UNRESOLVED, Optional.empty()), "the scene");
+        check(SceneDocument.of(scene, NamedFiles.UNRESOLVED, Optional.empty()), "scene");
     }
 
     /** A copy elsewhere names no schema that is not there. */
@@ -92,8 +92,7 @@ public final class SceneWriter {
             throw failure(
                     name, "the scene takes " + bytes + " bytes; a scene file may have at most " + SourceFile.MAX_BYTES);
         }
-        SourceText source = new SourceText(name + " (not written)", text.toCharArray(), text.length());
-        SceneDocument.parse(source, NamedFiles.UNRESOLVED);
+        SceneDocument.parse(SourceText.unwritten(name, text), NamedFiles.UNRESOLVED);
     }
 
     private static SceneException failure(String name, String what) {

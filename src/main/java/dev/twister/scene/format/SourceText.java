@@ -7,12 +7,23 @@ final class SourceText {
     private final String file;
     private final char[] characters;
     private final int length;
+    private final boolean isFile;
 
-    /** Takes the array over: nobody else may write to it. */
+    /** A file's text. Takes the array over: nobody else may write to it. */
     SourceText(String file, char[] characters, int length) {
+        this(file, characters, length, true);
+    }
+
+    private SourceText(String file, char[] characters, int length, boolean isFile) {
         this.file = Excerpt.ofPath(file);
         this.characters = characters;
         this.length = length;
+        this.isFile = isFile;
+    }
+
+    /** A text that is in no file, so that messages have no lines; {@code name} is what they begin with. */
+    static SourceText unwritten(String name, String text) {
+        return new SourceText(name, text.toCharArray(), text.length(), false);
     }
 
     /** The text itself, of which the first {@link #length()} characters count; not to be written to. */
@@ -24,8 +35,14 @@ final class SourceText {
         return length;
     }
 
-    /** A failure at a place: {@code file:line:column: what}. Offsets outside the text are taken to its nearest end. */
+    /**
+     * A failure at a place: {@code file:line:column: what}, or {@code name: what} where there is no file. Offsets
+     * outside the text are taken to its nearest end.
+     */
     SceneException failure(long offset, String what) {
+        if (!isFile) {
+            return new SceneException(file + ": " + what);
+        }
         int place = Math.clamp(offset, 0, length);
         int lineStart = 0;
         int line = 1;

@@ -121,8 +121,8 @@ class SceneWriterTest {
 
         assertThatThrownBy(() -> SceneWriter.write(scene(Double.NaN), file))
                 .isInstanceOf(SceneException.class)
-                .hasMessage(file
-                        + " (not written):12:93: $.spheres[0].reflectivity is NaN, but must be a number from 0 to 128");
+                .hasMessage(
+                        file + " (not written): $.spheres[0].reflectivity is NaN, but must be a number from 0 to 128");
         assertThat(file).hasContent("old");
         assertThat(names()).containsExactly("out.json");
     }
