@@ -143,7 +143,7 @@ final class Workbench implements AutoCloseable {
                         Command.CLIPPING,
                         () -> clipping.shownProperty()
                                 .set(!clipping.shownProperty().get()));
-        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, actions);
+        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, errands, actions);
         panel.foldAsKept(settings);
         menu = new MenuView(studio, settings, files, actions, bodies::insert);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
