@@ -25,23 +25,33 @@ final class DenoisingOptions {
                             + " for 'twister denoise' and 'twister join --denoise'.")
     private boolean guides;
 
+    @Option(
+            names = "--light-layers",
+            description =
+                    "Add the light of each group of lights, and the guides, to an .exr file, for 'twister join --light'.")
+    private boolean lightLayers;
+
     boolean isOn() {
         return denoise;
     }
 
     /** Rejects options that exclude denoising. */
     void check(Path output, List<Picture> pictures, PartOptions part) {
-        if ((denoise || guides) && pictures.stream().noneMatch(Finishing::isFull)) {
-            throw new BadInputException((denoise ? "--denoise" : "--guides")
+        if ((denoise || guides || lightLayers) && pictures.stream().noneMatch(Finishing::isFull)) {
+            throw new BadInputException((denoise ? "--denoise" : layersOption())
                     + " needs the full picture; add the view beauty, or leave --stage and --view out");
         }
         if (denoise && part.areGiven()) {
             throw new BadInputException(
                     "--denoise needs the whole picture; give --guides here, and --denoise to" + " 'twister join'");
         }
-        if (guides && !OutputFile.endsIn(output, ".exr")) {
-            throw new BadInputException("--output is " + output + ", but --guides needs an .exr file");
+        if ((guides || lightLayers) && !OutputFile.endsIn(output, ".exr")) {
+            throw new BadInputException("--output is " + output + ", but " + layersOption() + " needs an .exr file");
         }
+    }
+
+    private String layersOption() {
+        return lightLayers ? "--light-layers" : "--guides";
     }
 
     /**
@@ -50,7 +60,7 @@ final class DenoisingOptions {
      * @throws dev.twister.denoise.DenoiseException if there is no denoiser
      */
     Finishing finishing(boolean autoExposure) {
-        return new Finishing(autoExposure, guides, denoise ? Optional.of(offer()) : Optional.empty());
+        return new Finishing(autoExposure, guides, lightLayers, denoise ? Optional.of(offer()) : Optional.empty());
     }
 
     private static DenoiserOffer offer() {

@@ -10,12 +10,16 @@ import dev.twister.image.ExrReader;
 import dev.twister.image.JoinedPicture;
 import dev.twister.image.PictureSize;
 import dev.twister.render.DenoisedPicture;
+import dev.twister.render.RelitPicture;
 import dev.twister.scene.Rendering;
+import dev.twister.scene.Rgb;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -35,7 +39,8 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  twister join tile-1.exr tile-2.exr tile-3.exr -o picture.exr",
             "  twister join samples-*.exr -o picture.png --exposure 1",
-            "  twister join samples-*.exr -o picture.exr --denoise"
+            "  twister join samples-*.exr -o picture.exr --denoise",
+            "  twister join layers.exr -o evening.png --light sky=0.2 --light lamp=2.5,#ffcc88"
         })
 final class JoinCommand implements Callable<Integer> {
     @Spec
@@ -57,6 +62,14 @@ final class JoinCommand implements Callable<Integer> {
             description = "Remove the noise by the library Open Image Denoise, best of parts rendered with --guides.")
     private boolean denoise;
 
+    @Option(
+            names = "--light",
+            paramLabel = "NAME=STRENGTH[,COLOR]",
+            converter = LightChange.Converter.class,
+            description = "Multiply the light of a group of lights by a strength and a color, such as lamp=2.5,#ffcc88."
+                    + " The parts were rendered with --light-layers. Repeatable.")
+    private List<LightChange> lights = List.of();
+
     @Mixin
     private ToneOptions tone;
 
@@ -72,7 +85,7 @@ final class JoinCommand implements Callable<Integer> {
         OutputFile.checkKeeps("--output", output, parts);
         Optional<DenoiserOffer> offer = denoise ? Optional.of(Denoisers.offer()) : Optional.empty();
         offer.ifPresent(DenoiserOffer::check);
-        ExrPicture joined = joined();
+        ExrPicture joined = relit(joined());
         ExrPicture picture = offer.map(found -> denoised(joined, found)).orElse(joined);
         LinearPictureFile.write(output, picture, settings, tone);
         OutputFile.notes(spec.commandLine(), output)
@@ -86,6 +99,28 @@ final class JoinCommand implements Callable<Integer> {
                         parts.size() == 1 ? "part" : "parts",
                         picture.provenance().orElseThrow().samples());
         return ExitCode.OK;
+    }
+
+    private ExrPicture relit(ExrPicture picture) {
+        if (lights.isEmpty()) {
+            return picture;
+        }
+        if (RelitPicture.wasDenoised(picture) && !denoise) {
+            spec.commandLine()
+                    .getErr()
+                    .println("twister: light layers are not denoised; add --denoise to denoise the new picture");
+        }
+        Map<String, Rgb> factors = new HashMap<>();
+        for (LightChange change : lights) {
+            if (factors.put(change.group(), change.factor()) != null) {
+                throw new BadInputException("--light " + change.group() + " is given twice");
+            }
+        }
+        try {
+            return RelitPicture.of(picture, factors);
+        } catch (IllegalArgumentException problem) {
+            throw new BadInputException(parts.getFirst() + " " + problem.getMessage());
+        }
     }
 
     private ExrPicture denoised(ExrPicture picture, DenoiserOffer offer) {

@@ -10,8 +10,8 @@ import dev.twister.world.View;
 
 /** Calls the kernel on the JVM. Each thread needs its own instance. */
 public final class JvmKernel {
-    private final float[] path = new float[Layout.GUIDED_PATH_LENGTH];
-    private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
+    private final float[] path = new float[Layout.LAYERED_PATH_LENGTH];
+    private final float[] scratch = new float[Layout.LAYERED_SCRATCH_LENGTH];
 
     /** The path for {@link #follow} and {@link #visible}: {@link Layout#PATH_LENGTH} floats. */
     public float[] path() {
@@ -36,7 +36,16 @@ public final class JvmKernel {
                     input.images(),
                     variant);
             PixelKernel.store(
-                    column, row, frame.argb(), frame.radiance(), frame.layers(), 0, path, view.frame(), variant);
+                    column,
+                    row,
+                    frame.argb(),
+                    frame.radiance(),
+                    frame.layers(),
+                    0,
+                    path,
+                    scratch,
+                    view.frame(),
+                    variant);
         }
     }
 

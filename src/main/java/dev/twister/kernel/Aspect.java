@@ -44,6 +44,9 @@ public final class Aspect {
     /** The picture itself, with {@link Guides} as further layers of the linear output. */
     public static final int GUIDED = 11;
 
+    /** As {@link #GUIDED}, with {@link LightLayers} as further layers. */
+    public static final int LAYERED = 12;
+
     private Aspect() {}
 
     /** 1 if the value is known at the first hit, else 0. */
@@ -58,7 +61,12 @@ public final class Aspect {
 
     /** 1 if the picture has guides, else 0. */
     public static int isGuided(int variant) {
-        return Variant.aspect(variant) == GUIDED ? 1 : 0;
+        return Variant.aspect(variant) >= GUIDED ? 1 : 0;
+    }
+
+    /** 1 if the picture has a layer for each group of lights, else 0. */
+    public static int isLayered(int variant) {
+        return Variant.aspect(variant) == LAYERED ? 1 : 0;
     }
 
     /** Resets the count of a pixel, if the aspect is a count. */

@@ -35,6 +35,7 @@ public final class Emitter {
             float second = Noise.fresh(path, place + 2, frame);
             int emitter = chosen(path, bounce, frame, looks);
             int body = (int) looks[emitter + Layout.EMITTER_BODY];
+            LightLayers.choose(path, body, frame, looks, variant);
             if (body == Layout.NOTHING) {
                 towardSky(path, first, second, frame, images);
             }

@@ -108,13 +108,18 @@ public final class Layout {
     /** Largest number of tiles that can be chosen from. */
     public static final int MOST_TILES = 4096;
 
+    /** With {@link LightLayers}: their number, and the place of the bodies' groups in {@code looks}. */
+    public static final int LIGHT_LAYERS = 47;
+
+    public static final int LIGHT_GROUPS = 48;
+
     /** Place of the pixel's samples in {@code frame}. */
-    public static final int SAMPLES = 47;
+    public static final int SAMPLES = 49;
 
     /**
      * The points of the unit sunflower, x and y of each shadow sample; then, at {@link #SAMPLES}, the pixel's samples.
      */
-    public static final int DISC = 48;
+    public static final int DISC = 50;
 
     /**
      * A sample of the pixel, {@value #SAMPLE_STRIDE} floats: its position in the pixel, x and y in (0, 1); then pairs
@@ -193,8 +198,8 @@ public final class Layout {
      * map is the place of its first texel in {@code images}, divided by {@value #ALIGNMENT}, so that it is exact as a
      * float; its width and height in texels, 0 if there is no such map; and how it is read: the sum of what is beyond
      * its borders across and, times {@value #SAMPLER_DOWN}, down (a constant of {@link Texture}),
-     * {@value #SAMPLER_NEAREST} for the nearest texel instead of bilinear ones, and {@value #SAMPLER_COORDINATES} times
-     * the number of the mesh's texture coordinates.
+     * {@value #SAMPLER_NEAREST} for the nearest texel instead of bilinear ones, {@value #SAMPLER_PACKED} for packed
+     * texels, and {@value #SAMPLER_COORDINATES} times the number of the mesh's texture coordinates.
      */
     public static final int MAP_START = 0;
 
@@ -204,7 +209,8 @@ public final class Layout {
     public static final int MAP_STRIDE = 4;
     public static final int SAMPLER_DOWN = 3;
     public static final int SAMPLER_NEAREST = 9;
-    public static final int SAMPLER_COORDINATES = 18;
+    public static final int SAMPLER_PACKED = 18;
+    public static final int SAMPLER_COORDINATES = 36;
 
     /** The maps that multiply color and emission, roughness (green) and metallic (blue). */
     public static final int MAPS_COLOR = 0;
@@ -258,11 +264,20 @@ public final class Layout {
     public static final int EMITTER_AREA = 5;
     public static final int EMITTER_STRIDE = 6;
 
+    /** Largest number of {@link LightLayers}. */
+    public static final int MOST_LIGHT_LAYERS = 16;
+
     /** Meshes and maps start at multiples of it. */
     public static final int ALIGNMENT = 256;
 
-    /** {@code float[] images}, three floats per texel, row by row from the top: the panorama, then the maps. */
+    /**
+     * {@code float[] images}, row by row from the top: the panorama, then the maps. A texel has three floats. One of a
+     * packed map is a single float, red + 256 green + 65536 blue, of codes from 0 to 255; what the codes stand for is
+     * in the {@value #CODES} floats before the map's first texel.
+     */
     public static final int TEXEL_STRIDE = 3;
+
+    public static final int CODES = 256;
 
     /**
      * In {@code bodies}, after the places, a bounding volume hierarchy over the spheres: first the spheres, contiguous
@@ -377,6 +392,11 @@ public final class Layout {
     public static final int PLAIN_SCRATCH_LENGTH = SCRATCH_TRANSMISSIONS;
 
     public static final int SCRATCH_LENGTH = SCRATCH_RAYS + RAY_STRIDE * MOST_WAITING_RAYS;
+
+    /** With {@link LightLayers} the scratch continues with the sums of each layer over the pixel's samples. */
+    public static final int SCRATCH_LAYERS = SCRATCH_LENGTH;
+
+    public static final int LAYERED_SCRATCH_LENGTH = SCRATCH_LAYERS + 3 * MOST_LIGHT_LAYERS;
 
     /**
      * {@code float[] path}, one per thread: the ray; the body that it leaves, whether it continues inside that body
@@ -575,6 +595,11 @@ public final class Layout {
     public static final int GUIDE_STATE = TRACED_PATH_LENGTH + 9;
 
     public static final int GUIDED_PATH_LENGTH = TRACED_PATH_LENGTH + 10;
+
+    /** With {@link LightLayers}: place in the scratch of the layer of the chosen emitter. */
+    public static final int EMITTER_LAYER = GUIDED_PATH_LENGTH;
+
+    public static final int LAYERED_PATH_LENGTH = GUIDED_PATH_LENGTH + 1;
 
     /** The largest reflectivity, that of a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;

@@ -76,16 +76,16 @@ public final class PathTracer {
         int toEmitter = 0;
         int goesOn = 0;
         if (direct != 0) {
-            addDirect(path, body);
+            addDirect(path, body, scratch, variant);
             goesOn = carriesLight(path);
         }
         if (direct == 0) {
             if (body == Layout.NOTHING) {
-                addSky(path, bounce, frame, looks, images, variant);
+                addSky(path, bounce, scratch, frame, looks, images, variant);
             }
             if (body > Layout.NOTHING) {
                 meet(path, body, frame, bodies, looks, meshes, images, variant);
-                addEmission(path, body, bounce, frame, bodies, looks, variant);
+                addEmission(path, body, bounce, scratch, frame, bodies, looks, variant);
             }
             int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
             if (isSurface != 0) {
@@ -141,18 +141,28 @@ public final class PathTracer {
         return 1f / (1f + ratio * ratio);
     }
 
-    private static void addSky(float[] path, int bounce, float[] frame, float[] looks, float[] images, int variant) {
+    private static void addSky(
+            float[] path, int bounce, float[] scratch, float[] frame, float[] looks, float[] images, int variant) {
         float weight = 1f;
         if (path[Layout.SURFACE_DENSITY] > 0f) {
             weight = weight(path[Layout.SURFACE_DENSITY], Emitter.skyDensity(path, frame, looks, images));
         }
         SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
-        add(path, weight, bounce > 1 ? 1 : 0, frame);
+        float most = bounce > 1 ? frame[Layout.CLAMP] : 0f;
+        add(path, weight, most);
+        LightLayers.add(path, scratch, Layout.NOTHING, weight, most, frame, looks, variant);
         Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
     }
 
     private static void addEmission(
-            float[] path, int body, int bounce, float[] frame, float[] bodies, float[] looks, int variant) {
+            float[] path,
+            int body,
+            int bounce,
+            float[] scratch,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            int variant) {
         if (Emitter.shines(path, body, frame, looks, variant) != 0) {
             float weight = 1f;
             if (path[Layout.SURFACE_DENSITY] > 0f) {
@@ -162,19 +172,23 @@ public final class PathTracer {
             for (int channel = 0; channel < 3; channel++) {
                 path[Layout.EMITTED + channel] = Emitter.emission(path, body, channel, looks, variant);
             }
-            add(path, weight, bounce > 1 ? 1 : 0, frame);
+            float most = bounce > 1 ? frame[Layout.CLAMP] : 0f;
+            add(path, weight, most);
+            LightLayers.add(path, scratch, body, weight, most, frame, looks, variant);
             Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
         }
     }
 
-    /** Adds emitted radiance times the throughput; what comes over several surfaces is clamped. */
-    private static void add(float[] path, float weight, int clamped, float[] frame) {
-        float most = frame[Layout.CLAMP];
-        int clamps = clamped & (most > 0f ? 1 : 0);
+    /**
+     * Adds emitted radiance times the throughput.
+     *
+     * @param most limit of each channel; 0 for none
+     */
+    private static void add(float[] path, float weight, float most) {
         for (int channel = 0; channel < 3; channel++) {
             float found = path[Layout.THROUGHPUT + channel] * weight * path[Layout.EMITTED + channel];
             path[Layout.RADIANCE + channel] =
-                    path[Layout.RADIANCE + channel] + (clamps != 0 ? Math.min(found, most) : found);
+                    path[Layout.RADIANCE + channel] + (most > 0f ? Math.min(found, most) : found);
         }
     }
 
@@ -253,11 +267,12 @@ public final class PathTracer {
     }
 
     /** Adds the emitter's light unless a body blocks it. */
-    private static void addDirect(float[] path, int body) {
+    private static void addDirect(float[] path, int body, float[] scratch, int variant) {
         float visible = body == Layout.NOTHING ? 1f : 0f;
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel] + visible * path[Layout.DIRECT + channel];
         }
+        LightLayers.addDirect(path, scratch, visible, variant);
     }
 
     /** Ends the path at random, more probably the less light it carries. */

@@ -12,7 +12,8 @@ public final class PixelKernel {
      * @param path {@link Layout#PATH_LENGTH} floats, not shared between threads; {@link Layout#PLAIN_PATH_LENGTH} for
      *     plain materials and one light without meshes and counts
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats, not shared between threads;
-     *     {@link Layout#PLAIN_SCRATCH_LENGTH} for plain materials without meshes
+     *     {@link Layout#PLAIN_SCRATCH_LENGTH} for plain materials without meshes; {@link Layout#LAYERED_SCRATCH_LENGTH}
+     *     with {@link LightLayers}
      * @param variant bits of {@link Variant}
      */
     public static void draw(
@@ -32,6 +33,7 @@ public final class PixelKernel {
         path[Layout.RADIANCE + 2] = 0f;
         Aspect.start(path, variant);
         Guides.start(path, variant);
+        LightLayers.start(scratch, frame, variant);
         for (int sample = 0; sample < samples; sample++) {
             start(path, column, row, sample, frame);
             Guides.begin(path, variant);
@@ -60,6 +62,7 @@ public final class PixelKernel {
      * @param layers planes of {@code 3 * width * rows} floats for further layers if there are any, else any array
      * @param firstLayer place of the first plane
      * @param path after {@link #draw}
+     * @param scratch after {@link #draw}
      */
     public static void store(
             int column,
@@ -69,6 +72,7 @@ public final class PixelKernel {
             float[] layers,
             int firstLayer,
             float[] path,
+            float[] scratch,
             float[] frame,
             int variant) {
         int samples = (int) frame[Layout.PIXEL_SAMPLES];
@@ -79,7 +83,9 @@ public final class PixelKernel {
             radiance[3 * pixel + 1] = path[Layout.RADIANCE + 1] * average;
             radiance[3 * pixel + 2] = path[Layout.RADIANCE + 2] * average;
             int plane = 3 * (int) frame[Layout.WIDTH] * (int) frame[Layout.ROWS];
-            Guides.store(layers, firstLayer + 3 * pixel, plane, path, average, variant);
+            int first = firstLayer + 3 * pixel;
+            Guides.store(layers, first, plane, path, average, variant);
+            LightLayers.store(layers, first + Guides.LAYERS * plane, plane, scratch, average, frame, variant);
         } else {
             pixels[pixel] = Tone.argb(path, average, frame);
         }

@@ -44,13 +44,17 @@ public final class SeveralLights {
                 visible = Path.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
             }
             int look = Layout.LOOK_STRIDE * light;
-            sum = sum + part(path, light, visible, looks);
+            float part = part(path, light, visible, looks);
+            sum = sum + part;
+            LightLayers.shade(path, scratch, light, part, visible, frame, looks, variant);
             float specular = Illumination.highlight(path, visible);
             for (int channel = 0; channel < 3; channel++) {
                 path[Layout.HIGHLIGHT + channel] = path[Layout.HIGHLIGHT + channel] + looks[look + channel] * specular;
             }
         }
-        return Math.max(sum, Illumination.ambient(path, frame, variant));
+        float lit = Math.max(sum, Illumination.ambient(path, frame, variant));
+        LightLayers.ambient(path, scratch, lit - sum, frame, looks, variant);
+        return lit;
     }
 
     /** What a light adds to lit: {@code k * max(0, N.L) * S}. */

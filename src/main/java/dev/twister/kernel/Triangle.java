@@ -17,7 +17,7 @@ public final class Triangle {
     public static final float ROUNDING = 0x1p-20f;
 
     /** Distance of a surface in which a ray starts, if it meets it. */
-    private static final float TOUCHING = 1e-30f;
+    public static final float TOUCHING = 1e-30f;
 
     private Triangle() {}
 

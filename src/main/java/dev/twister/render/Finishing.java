@@ -1,6 +1,8 @@
 package dev.twister.render;
 
 import dev.twister.denoise.DenoiserOffer;
+import dev.twister.kernel.Guides;
+import dev.twister.kernel.Layout;
 import dev.twister.world.Picture;
 import java.util.Optional;
 
@@ -9,16 +11,17 @@ import java.util.Optional;
  *
  * @param autoExposure whether the first picture of the film sets the exposure; no effect on linear files
  * @param guides whether an .exr file gets the guides of denoising as layers
+ * @param lightLayers whether it gets them, and the light of each group of lights
  * @param denoiser removes the noise of the full picture; an .exr file then has the noisy picture and the guides as
  *     layers
  */
-public record Finishing(boolean autoExposure, boolean guides, Optional<DenoiserOffer> denoiser) {
+public record Finishing(boolean autoExposure, boolean guides, boolean lightLayers, Optional<DenoiserOffer> denoiser) {
     /** Nothing. */
-    public static final Finishing NONE = new Finishing(false, false, Optional.empty());
+    public static final Finishing NONE = new Finishing(false, false, false, Optional.empty());
 
     /** Whether a picture is rendered with guides. */
     boolean guides(Picture picture) {
-        return isFull(picture) && (guides || denoiser.isPresent());
+        return isFull(picture) && (guides || lightLayers || denoiser.isPresent());
     }
 
     /** Whether a picture has light over all its bounces, which can be denoised. */
@@ -28,12 +31,15 @@ public record Finishing(boolean autoExposure, boolean guides, Optional<DenoiserO
 
     /** For metadata of files. */
     String text() {
-        return (guides ? " guides" : "") + (denoiser.isPresent() ? " denoised" : "");
+        return (guides ? " guides" : "")
+                + (lightLayers ? " light-layers" : "")
+                + (denoiser.isPresent() ? " denoised" : "");
     }
 
-    /** Memory for guides and denoising, in bytes per pixel. */
+    /** Memory for layers and denoising, in bytes per pixel. */
     long bytesPerPixel() {
-        long guided = guides || denoiser.isPresent() ? 2 : 0;
-        return (guided + (denoiser.isPresent() ? 2 : 0)) * BandedDrawing.bytesPerPixel(true);
+        long guided = guides || lightLayers || denoiser.isPresent() ? Guides.LAYERS : 0;
+        long lights = lightLayers ? Layout.MOST_LIGHT_LAYERS : 0;
+        return (guided + lights + (denoiser.isPresent() ? 2 : 0)) * BandedDrawing.bytesPerPixel(true);
     }
 }

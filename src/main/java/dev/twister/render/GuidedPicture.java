@@ -2,10 +2,10 @@ package dev.twister.render;
 
 import dev.twister.denoise.Denoiser;
 import dev.twister.denoise.NoisyPicture;
-import dev.twister.denoise.NoisyPicture.Guides;
 import dev.twister.denoise.Plane;
 import dev.twister.image.ExrChannel;
 import dev.twister.image.Frame;
+import dev.twister.kernel.Guides;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -13,9 +13,10 @@ import java.util.Optional;
 /**
  * A picture that was rendered with guides of denoising.
  *
- * @param frame linear, with albedo and normal as layers
+ * @param frame linear, with albedo, normal and the light of groups of lights as layers
+ * @param lightGroups names of these groups
  */
-record GuidedPicture(Frame frame) {
+record GuidedPicture(Frame frame, List<String> lightGroups) {
     private static final int ALBEDO = 0;
     private static final int NORMAL = 1;
 
@@ -29,13 +30,13 @@ record GuidedPicture(Frame frame) {
         return denoised;
     }
 
-    private Guides guides() {
-        return new Guides(
+    private NoisyPicture.Guides guides() {
+        return new NoisyPicture.Guides(
                 new Plane(frame.layers(), frame.firstOf(ALBEDO)), new Plane(frame.layers(), frame.firstOf(NORMAL)));
     }
 
     /**
-     * Channels of the guides.
+     * Channels of the guides, and of the groups of lights.
      *
      * @param noisy whether the noisy picture is a layer, too
      */
@@ -43,6 +44,10 @@ record GuidedPicture(Frame frame) {
         List<ExrChannel> channels = new ArrayList<>();
         channels.addAll(PictureLayers.channels(PictureLayers.GUIDE_ALBEDO, frame.layers(), frame.firstOf(ALBEDO)));
         channels.addAll(PictureLayers.channels(PictureLayers.GUIDE_NORMAL, frame.layers(), frame.firstOf(NORMAL)));
+        for (int group = 0; group < lightGroups.size(); group++) {
+            channels.addAll(PictureLayers.channels(
+                    PictureLayers.light(lightGroups.get(group)), frame.layers(), frame.firstOf(Guides.LAYERS + group)));
+        }
         if (noisy) {
             channels.addAll(PictureLayers.channels(PictureLayers.NOISY, frame.radiance(), 0));
         }

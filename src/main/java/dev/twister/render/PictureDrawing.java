@@ -9,22 +9,27 @@ import dev.twister.image.JoinedPicture;
 import dev.twister.image.Provenance;
 import dev.twister.world.FrameDigest;
 import dev.twister.world.FrameInput;
+import dev.twister.world.LightGroups;
 import dev.twister.world.Picture;
 import dev.twister.world.TonedPixels;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
 /** Renders the pictures of an order one after the other with the same engine. */
 final class PictureDrawing implements AutoCloseable {
     private final RenderOrder order;
+    private final Optional<LightGroups> lightGroups;
     private final FrameDigest digest = new FrameDigest();
     private Optional<Engine> engine = Optional.empty();
     private Optional<Denoiser> denoiser = Optional.empty();
 
-    PictureDrawing(RenderOrder order) {
+    /** @param lightGroups of the scene; used if the order has light layers */
+    PictureDrawing(RenderOrder order, Supplier<LightGroups> lightGroups) {
         this.order = order;
+        this.lightGroups = order.finishing().lightLayers() ? Optional.of(lightGroups.get()) : Optional.empty();
     }
 
     /** The engine, opened on the first call. */
@@ -65,7 +70,7 @@ final class PictureDrawing implements AutoCloseable {
         }
         boolean guided = order.finishing().guides(wanted);
         boolean asRadiance = order.output().isLinear() || !wanted.isColor() || guided;
-        FrameInput shown = guided ? input.withGuides() : input;
+        FrameInput shown = guided ? lightGroups.map(input::withLightLayers).orElseGet(input::withGuides) : input;
         BandedDrawing.Drawn picture = BandedDrawing.draw(engine(), shown, order.sampling(), asRadiance, progress);
         List<ExrChannel> samples = samples(picture.samples());
         return guided ? finished(wanted, shown, picture, samples) : new DrawnAspect(wanted, picture, samples);
@@ -80,7 +85,8 @@ final class PictureDrawing implements AutoCloseable {
 
     private DrawnAspect finished(
             Picture wanted, FrameInput shown, BandedDrawing.Drawn drawn, List<ExrChannel> samples) {
-        GuidedPicture guided = new GuidedPicture(drawn.frame());
+        GuidedPicture guided = new GuidedPicture(
+                drawn.frame(), lightGroups.map(LightGroups::names).orElse(List.of()));
         boolean denoises = order.finishing().denoiser().isPresent();
         Frame frame = denoises ? guided.denoised(denoiser()) : drawn.frame();
         Frame written = order.output().isLinear() ? frame : toned(frame, shown);

@@ -19,7 +19,25 @@ public final class PictureLayers {
 
     static final List<String> GUIDE_NORMAL = layer("guide-normal", "XYZ");
 
+    private static final String LIGHT = "light-";
+    private static final String RED = ".R";
+
     private PictureLayers() {}
+
+    /** The light of a group of lights. */
+    static List<String> light(String group) {
+        return layer(LIGHT + group, "RGB");
+    }
+
+    /** The groups of lights whose light is in layers. */
+    public static List<String> lightGroups(ExrPicture picture) {
+        return picture.channels().stream()
+                .map(ExrChannel::name)
+                .filter(name -> name.startsWith(LIGHT) && name.endsWith(RED))
+                .map(name -> name.substring(LIGHT.length(), name.length() - RED.length()))
+                .sorted()
+                .toList();
+    }
 
     /** Names of three channels, such as {@code normal.R}. */
     static List<String> layer(String name, String channels) {

@@ -28,7 +28,8 @@ public record RenderOrder(
         RenderOutput output) {
     /** The same with a denoiser; stages and views without reflections are not denoised. */
     public RenderOrder denoisedBy(Optional<DenoiserOffer> denoiser) {
-        Finishing denoised = new Finishing(finishing.autoExposure(), finishing.guides(), denoiser);
+        Finishing denoised =
+                new Finishing(finishing.autoExposure(), finishing.guides(), finishing.lightLayers(), denoiser);
         return new RenderOrder(scene, engine, pictures, sampling, part, movement, denoised, output);
     }
 

@@ -51,7 +51,7 @@ public final class Renderer {
         order.engine().check();
         order.finishing().denoiser().ifPresent(DenoiserOffer::check);
         BodyMotion motion = order.movement().bodies();
-        try (PictureDrawing drawing = new PictureDrawing(order);
+        try (PictureDrawing drawing = new PictureDrawing(order, world::lightGroups);
                 FilmBodies bodies = FilmBodies.of(motion, order.scene(), world.meshes(), progress)) {
             Renderer rendering = new Renderer(order, progress, drawing, new FilmScene(order, world, bodies));
             rendering.setExposure();
@@ -96,10 +96,8 @@ public final class Renderer {
             int start = order.movement().bodies() instanceof BodyMotion.Recorded recorded
                     ? recorded.file().firstFrame()
                     : 0;
-            World world = shown.world();
-            double stops =
-                    ExposureMeter.stops(shown.frame(start).showing(first)).orElseThrow(BlackPictureException::new);
-            world.setSettings(world.settings().withExposure(stops));
+            shown.setExposure(
+                    ExposureMeter.stops(shown.frame(start).showing(first)).orElseThrow(BlackPictureException::new));
         }
     }
 

@@ -8,9 +8,10 @@ import static java.util.Objects.requireNonNull;
  * @param color linear color, 0 or more; black for none
  * @param strength factor of the color, 0 or more
  * @param doubleSided whether triangles emit on both sides; otherwise on the outer one alone. Spheres emit outward.
+ * @param group name of the layer that the light goes to, see {@link LightGroup}
  */
-public record Emission(Rgb color, double strength, boolean doubleSided) {
-    public static final Emission NONE = new Emission(new Rgb(0, 0, 0), 1, true);
+public record Emission(Rgb color, double strength, boolean doubleSided, String group) {
+    public static final Emission NONE = new Emission(new Rgb(0, 0, 0), 1, true, LightGroup.NONE);
 
     public Emission {
         requireNonNull(color, "color");
@@ -26,14 +27,18 @@ public record Emission(Rgb color, double strength, boolean doubleSided) {
     }
 
     public Emission withColor(Rgb newColor) {
-        return new Emission(newColor, strength, doubleSided);
+        return new Emission(newColor, strength, doubleSided, group);
     }
 
     public Emission withStrength(double newStrength) {
-        return new Emission(color, newStrength, doubleSided);
+        return new Emission(color, newStrength, doubleSided, group);
     }
 
     public Emission withDoubleSided(boolean newDoubleSided) {
-        return new Emission(color, strength, newDoubleSided);
+        return new Emission(color, strength, newDoubleSided, group);
+    }
+
+    public Emission withGroup(String newGroup) {
+        return new Emission(color, strength, doubleSided, newGroup);
     }
 }

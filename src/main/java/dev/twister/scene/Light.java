@@ -13,10 +13,12 @@ import java.util.Optional;
  * @param strength in m^2, for path tracing: the irradiance over pi, at one meter, of a surface that faces the light, is
  *     the color times this; without one the ground below the light is about as bright as without path tracing
  * @param share factor, 0 or more, of what the light adds to the brightness of matte surfaces without path tracing
+ * @param group name of the layer that its light goes to, see {@link LightGroup}
  */
-public record Light(Vector3 position, double radius, Rgb color, Optional<Double> strength, double share) {
+public record Light(Vector3 position, double radius, Rgb color, Optional<Double> strength, double share, String group) {
     /** A white light of radius 1, 10 m above the origin. */
-    public static final Light DEFAULT = new Light(new Vector3(0, 10, 0), 1, new Rgb(1, 1, 1), Optional.empty(), 1);
+    public static final Light DEFAULT =
+            new Light(new Vector3(0, 10, 0), 1, new Rgb(1, 1, 1), Optional.empty(), 1, LightGroup.NONE);
 
     public Light {
         requireNonNull(position, "position");
@@ -30,22 +32,26 @@ public record Light(Vector3 position, double radius, Rgb color, Optional<Double>
     }
 
     public Light withPosition(Vector3 newPosition) {
-        return new Light(newPosition, radius, color, strength, share);
+        return new Light(newPosition, radius, color, strength, share, group);
     }
 
     public Light withRadius(double newRadius) {
-        return new Light(position, newRadius, color, strength, share);
+        return new Light(position, newRadius, color, strength, share, group);
     }
 
     public Light withColor(Rgb newColor) {
-        return new Light(position, radius, newColor, strength, share);
+        return new Light(position, radius, newColor, strength, share, group);
     }
 
     public Light withStrength(Optional<Double> newStrength) {
-        return new Light(position, radius, color, newStrength, share);
+        return new Light(position, radius, color, newStrength, share, group);
     }
 
     public Light withShare(double newShare) {
-        return new Light(position, radius, color, strength, newShare);
+        return new Light(position, radius, color, strength, newShare, group);
+    }
+
+    public Light withGroup(String newGroup) {
+        return new Light(position, radius, color, strength, share, newGroup);
     }
 }

@@ -210,9 +210,28 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
         return with(new View(view.frame(), Aspect.GUIDED));
     }
 
-    /** Number of layers of a linear frame beside the radiance: albedo and normal if there are guides. */
+    /**
+     * The same picture with guides, and then the light of each group of lights, as layers; for linear frames alone.
+     *
+     * @param groups of the scene
+     */
+    public FrameInput withLightLayers(LightGroups groups) {
+        float[] looks = bodies.looks();
+        float[] grouped = Arrays.copyOf(looks, looks.length + groups.layers().length);
+        System.arraycopy(groups.layers(), 0, grouped, looks.length, groups.layers().length);
+        float[] frame = view.frame().clone();
+        frame[Layout.LIGHT_LAYERS] = groups.names().size();
+        frame[Layout.LIGHT_GROUPS] = looks.length;
+        return new FrameInput(new View(frame, Aspect.LAYERED), bodies.withLooks(grouped), images);
+    }
+
+    /**
+     * Number of layers of a linear frame beside the radiance: albedo and normal if there are guides, then those of
+     * light.
+     */
     public int layers() {
-        return aspect() == Aspect.GUIDED ? Guides.LAYERS : 0;
+        int lights = aspect() == Aspect.LAYERED ? (int) view.frame()[Layout.LIGHT_LAYERS] : 0;
+        return (aspect() >= Aspect.GUIDED ? Guides.LAYERS : 0) + lights;
     }
 
     private FrameInput with(View newView) {

@@ -10,6 +10,7 @@ import dev.twister.scene.Emission;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
+import dev.twister.scene.LightGroup;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
@@ -66,7 +67,7 @@ class BruteForceTest {
                 Arguments.of(
                         "frosted glass by Fresnel", GLASS.withRoughness(0.6).withIor(2)),
                 Arguments.of("amber", GLASS.withAttenuation(new Attenuation(new Rgb(0.9, 0.6, 0.2), Optional.of(0.7)))),
-                Arguments.of("a lamp", WHITE.withEmission(new Emission(new Rgb(1, 2, 3), 0.5, true))));
+                Arguments.of("a lamp", WHITE.withEmission(new Emission(new Rgb(1, 2, 3), 0.5, true, LightGroup.NONE))));
     }
 
     @ParameterizedTest
@@ -104,7 +105,8 @@ class BruteForceTest {
         Mesh plate = Mesh.of(file)
                 .withPosition(new Vector3(1.6, 1, 0.5))
                 .withScale(0.5)
-                .withMaterial(Optional.of(WHITE.withEmission(new Emission(new Rgb(2, 1, 0.5), 1, false))));
+                .withMaterial(
+                        Optional.of(WHITE.withEmission(new Emission(new Rgb(2, 1, 0.5), 1, false, LightGroup.NONE))));
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0, 1.2, -4), 0, 8, 45))
                 .withLights(Lights.of(Light.of(new Vector3(-3, 4, -1), 1.5, new Rgb(0.6, 0.5, 0.4))))

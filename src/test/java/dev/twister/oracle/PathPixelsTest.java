@@ -9,6 +9,7 @@ import dev.twister.scene.Emission;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
+import dev.twister.scene.LightGroup;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rendering;
@@ -71,7 +72,9 @@ class PathPixelsTest {
     private static Material changed(Material material, Random random) {
         double strength = RandomScenes.extremeOr(random, 0, 1e6, RandomScenes.between(random, 0, 20));
         return switch (random.nextInt(4)) {
-            case 0 -> material.withEmission(new Emission(RandomScenes.albedo(random), strength, random.nextBoolean()));
+            case 0 ->
+                material.withEmission(
+                        new Emission(RandomScenes.albedo(random), strength, random.nextBoolean(), LightGroup.NONE));
             case 1 -> GLASS.withRoughness(RandomScenes.extremeOr(random, 0, 1, random.nextDouble()));
             case 2 ->
                 material.withReflectivity(0)

@@ -9,6 +9,7 @@ import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
+import dev.twister.scene.LightGroup;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
@@ -92,7 +93,7 @@ final class PathReferences {
                                 new Vector3(0, 1.99, 0),
                                 new Vector3(-90, 0, 0),
                                 WHITE.withColor(new Rgb(0, 0, 0))
-                                        .withEmission(new Emission(new Rgb(17, 12, 7), 1, false)))));
+                                        .withEmission(new Emission(new Rgb(17, 12, 7), 1, false, LightGroup.NONE)))));
         return new LitScene(scene, SceneImages.of(BLACK), SceneMeshes.read(scene, _ -> {}));
     }
 

@@ -34,7 +34,8 @@ public final class FullScene {
                 new Lights(List.of(
                         Light.of(new Vector3(1, 1.6, 0), 0.3, new Rgb(0.9, 0.8, 0.7))
                                 .withStrength(Optional.of(5.0))
-                                .withShare(0.75),
+                                .withShare(0.75)
+                                .withGroup("lamp"),
                         Light.of(new Vector3(-1, 2.2, 0.5), 0.2, new Rgb(0.2, 0.4, 0.9)))),
                 materials,
                 new Ground(5, 0, new Rgb(0.1, 0.2, 0.3), material(0.3, 10)),
@@ -53,8 +54,9 @@ public final class FullScene {
                 new Shading(0.3),
                 new Rendering(40, 30, 4, 3, 2, 0.5, ToneMap.ACES, true, Integrator.PATH, 25),
                 new Physics(new Vector3(0.5, -9, 0.25), 0.5, 0.3, 0.1, true, true),
-                Optional.of(new Pour(
-                        3, 4, new Vector3(0.5, 2.5, 0.5), 0.5, 2, 0.1, 0.2, Palette.DUSK, material(0, 30), 7)));
+                Optional.of(
+                        new Pour(3, 4, new Vector3(0.5, 2.5, 0.5), 0.5, 2, 0.1, 0.2, Palette.DUSK, material(0, 30), 7)),
+                List.of(Track.of(TrackTarget.sphere(0), "position", Keyframe.of(1, new Vector3(1, 2, 3)))));
     }
 
     private static Material material(double transmission, double reflectivity) {
@@ -66,7 +68,7 @@ public final class FullScene {
                 transmission,
                 1.4,
                 Optional.of(TEXTURE),
-                new Emission(new Rgb(3, 2, 1), 0.5, false),
+                new Emission(new Rgb(3, 2, 1), 0.5, false, "lamp"),
                 new Attenuation(new Rgb(0.9, 0.8, 0.7), Optional.of(2.5)),
                 Alpha.OPAQUE,
                 Maps.NONE,

@@ -8,6 +8,7 @@ import dev.twister.kernel.Tone;
 import dev.twister.scene.Attenuation;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Emission;
+import dev.twister.scene.LightGroup;
 import dev.twister.scene.Material;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Rgb;
@@ -51,7 +52,7 @@ class WorldTest {
                 .withIor(1.43)
                 .withTexture(Optional.of(file))
                 .withMetallic(0.44)
-                .withEmission(new Emission(new Rgb(2, 4, 6), 0.5, false))
+                .withEmission(new Emission(new Rgb(2, 4, 6), 0.5, false, LightGroup.NONE))
                 .withAttenuation(new Attenuation(new Rgb(Math.exp(-1), Math.exp(-2), 1), Optional.of(2.0)));
         Scene scene = Worlds.scene();
         Sphere sphere = scene.spheres().getFirst().withMaterial(material);

@@ -148,7 +148,7 @@ final class BounceRenderer {
             TextureLanes.multiply(drawing, rays);
         }
         if (drawing.looks.transparent) {
-            TransmittingSurface.face(rays);
+            TransmittingSurface.face(rays, drawing.bodies.meshes.firstBody);
         }
     }
 

@@ -71,8 +71,8 @@ final class Handover {
     }
 
     /**
-     * Subtracts the light blocked by meshes from the light that passes the spheres. Where both block a part, or a mesh
-     * transmits light, the kernel computes the visible part.
+     * Subtracts the light blocked by meshes from the light that passes the spheres. Where both block a part, the kernel
+     * computes the visible part.
      */
     void mendShadows(Tile tile, Drawing drawing, int bounce) {
         float[] t = tile.values;
@@ -81,7 +81,7 @@ final class Handover {
             for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
                 float blocked = t[pixel + Tile.MESH_BLOCKED];
                 if (blocked != 0f && t[pixel + Tile.VISIBLE] > 0f) {
-                    boolean alone = blocked > 0f && t[pixel + Tile.VISIBLE] >= 1f;
+                    boolean alone = t[pixel + Tile.VISIBLE] >= 1f;
                     t[pixel + Tile.VISIBLE] =
                             alone ? 1f - blocked / drawing.shadowSamples : visible(t, drawing, pixel, bounce);
                 }

@@ -1,8 +1,13 @@
 package dev.twister.scene.format;
 
+import dev.twister.scene.LightGroup;
+import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.SceneLimits;
+import java.util.HashSet;
+import java.util.Set;
 
-/** A scene has one light or a list of them. */
+/** A scene has one light or a list of them, in a few groups. */
 final class LightRules {
     static final String ONE = "light";
     static final String SEVERAL = "lights";
@@ -22,6 +27,27 @@ final class LightRules {
             throw scene.failure(
                     scene.value().offset(),
                     "$." + ONE + " is missing; a scene has a \"" + ONE + "\" or \"" + SEVERAL + "\"");
+        }
+    }
+
+    /**
+     * @param fields of the scene, in the file
+     * @throws SceneException if it has too many groups of lights
+     */
+    static void checkGroups(Scene scene, Fields fields) {
+        Set<String> groups = new HashSet<>();
+        scene.lights().list().forEach(light -> groups.add(light.group()));
+        scene.materials()
+                .values()
+                .forEach(material -> groups.add(material.emission().group()));
+        scene.allSpheres()
+                .forEach(sphere -> groups.add(sphere.material().emission().group()));
+        scene.meshes().forEach(mesh -> groups.add(mesh.own().emission().group()));
+        groups.remove(LightGroup.NONE);
+        if (groups.size() > SceneLimits.MAX_LIGHT_GROUPS) {
+            throw fields.failure(
+                    fields.value().offset(),
+                    "$ has " + groups.size() + " names of light groups; it may have " + SceneLimits.MAX_LIGHT_GROUPS);
         }
     }
 }

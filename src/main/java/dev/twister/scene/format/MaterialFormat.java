@@ -16,6 +16,7 @@ import dev.twister.scene.format.ValueType.Converted;
 import dev.twister.scene.format.ValueType.Decimal;
 import dev.twister.scene.format.ValueType.FilePath;
 import dev.twister.scene.format.ValueType.Flag;
+import dev.twister.scene.format.ValueType.GroupName;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -56,6 +57,7 @@ record MaterialFormat(List<Field<Material, ?>> fields) {
                     Emission::strength,
                     Emission::withStrength),
             emission("doubleSided", new Flag(), Emission::doubleSided, Emission::withDoubleSided),
+            emission("lightGroup", new GroupName(), Emission::group, Emission::withGroup),
             attenuation(
                     "attenuationColor",
                     ValueType.color(SceneLimits.ALBEDO),

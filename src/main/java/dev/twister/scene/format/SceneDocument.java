@@ -25,11 +25,13 @@ final class SceneDocument {
                 .scene()
                 .read(root);
         LightRules.check(fields);
+        LightRules.checkGroups(scene, fields);
         KeyframeRules.check(scene.camera().keyframes(), fields.get("camera").fields());
         ViewRules.check(scene.views(), fields);
         AlphaRules.check(scene, fields);
         GroundRules.check(scene.ground(), fields.get("plane").fields());
         ShapeRules.check(scene.meshes(), fields);
+        TrackRules.check(scene, fields);
         scene.pour()
                 .ifPresent(pour -> PourRules.check(
                         pour, fields.get("pour").fields(), scene.spheres().size()));

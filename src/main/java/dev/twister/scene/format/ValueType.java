@@ -1,5 +1,6 @@
 package dev.twister.scene.format;
 
+import dev.twister.scene.LightGroup;
 import dev.twister.scene.Range;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.SceneException;
@@ -25,14 +26,16 @@ import java.util.stream.Stream;
 sealed interface ValueType<T>
         permits Members,
                 NamedMaterials,
+                NumberOrVector,
                 ObjectType,
-                ShapeSize,
+                TrackTargetType,
                 ValueType.Array,
                 ValueType.Choice,
                 ValueType.Converted,
                 ValueType.Decimal,
                 ValueType.FilePath,
                 ValueType.Flag,
+                ValueType.GroupName,
                 ValueType.Lines,
                 ValueType.Text,
                 ValueType.Version,
@@ -107,6 +110,23 @@ sealed interface ValueType<T>
                 return found.text();
             }
             throw place.refused(allowed());
+        }
+
+        @Override
+        public String write(String value) {
+            return JsonText.string(value);
+        }
+    }
+
+    /** The name of a group of lights. */
+    record GroupName() implements ValueType<String> {
+        @Override
+        public String read(Place place) {
+            if (place.value() instanceof LocatedValue.TextValue found && LightGroup.isName(found.text())) {
+                return found.text();
+            }
+            throw place.refused(
+                    "a name of at most " + LightGroup.MAX_NAME_LENGTH + " letters, digits, hyphens and underscores");
         }
 
         @Override

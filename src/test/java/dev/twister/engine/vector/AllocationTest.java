@@ -47,6 +47,8 @@ final class AllocationTest {
         "512, benchmark",
         "512, crowd of 100",
         "512, pour-on-mesh",
+        "256, glass",
+        "512, glass",
         "256, crowd of 1000",
         "512, crowd of 1000"
     })

@@ -23,6 +23,9 @@ class SchemaTest {
     private static final String DEFINITION = "#/$defs/";
     private static final String NO_CONTROL_CHARACTERS = "^[^\\u0000-\\u001f\\u007f-\\u009f]*$";
 
+    private static final String TARGETS =
+            "^(camera|plane|sky|shading|rendering|(lights|spheres|meshes)\\[(0|[1-9][0-9]{0,6})\\])$";
+
     @Test
     @SuppressWarnings("unchecked") // a JSON object
     void schemaSaysWhatTheReaderTakes() throws Exception {
@@ -129,6 +132,7 @@ class SchemaTest {
                         "minLength",
                         min,
                         schema(Map.of("type", "string", "maxLength", (double) max, "pattern", NO_CONTROL_CHARACTERS)));
+            case ValueType.GroupName() -> schema(Map.of("type", "string", "pattern", "^[A-Za-z0-9_-]{0,20}$"));
             case ValueType.FilePath(ValueType.Text text, NamedFiles _) -> schemaOf(text);
             case ValueType.Version(int newest) ->
                 schema(Map.of(
@@ -158,8 +162,9 @@ class SchemaTest {
                         "additionalProperties",
                         schemaOf(members.type())));
             case NamedMaterials _ -> schema(Map.of("type", "string"));
-            case ShapeSize(ValueType.Decimal width, ValueType.Array<Double> axes) ->
-                schema(Map.of("anyOf", List.of(schemaOf(width), schemaOf(axes))));
+            case NumberOrVector(ValueType.Decimal number, ValueType.Array<Double> vector) ->
+                schema(Map.of("anyOf", List.of(schemaOf(number), schemaOf(vector))));
+            case TrackTargetType() -> schema(Map.of("type", "string", "pattern", TARGETS));
             case Shaped<?> shaped ->
                 schema(Map.of(
                         "if",

@@ -1,6 +1,7 @@
 package dev.twister.scene.format;
 
 import dev.twister.scene.Range;
+import dev.twister.scene.TrackTarget;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -28,6 +29,7 @@ final class Values {
                         Arbitraries.integers().between((int) range.min(), (int) range.max());
                     case ValueType.Flag() -> FLAGS;
                     case ValueType.Text(int min, int max) -> texts(min, max);
+                    case ValueType.GroupName() -> Arbitraries.of("", "lamp", "Key_light-2");
                     case ValueType.FilePath _ -> Arbitraries.of(FILES);
                     case ValueType.Version _ -> Arbitraries.just(1);
                     case ValueType.Choice<?>(Class<?> constants) -> Arbitraries.of(constants.getEnumConstants());
@@ -38,7 +40,8 @@ final class Values {
                     case Members<?> members -> members(members);
                     case NamedMaterials named -> Arbitraries.of(named.byName().values());
                     case Shaped<?> shaped -> shapes(shaped);
-                    case ShapeSize size -> sizes(size);
+                    case NumberOrVector either -> numbers(either);
+                    case TrackTargetType _ -> Arbitraries.just(TrackTarget.CAMERA);
                 };
     }
 
@@ -89,8 +92,8 @@ final class Values {
                                         && named.byName().isEmpty()));
     }
 
-    private static Arbitrary<List<Double>> sizes(ShapeSize size) {
-        return Arbitraries.oneOf(of(size.width()).map(List::of), of(size.axes()));
+    private static Arbitrary<List<Double>> numbers(NumberOrVector either) {
+        return Arbitraries.oneOf(of(either.number()).map(List::of), of(either.vector()));
     }
 
     private static <R> Arbitrary<R> records(ValueType.Structure<R> structure) {

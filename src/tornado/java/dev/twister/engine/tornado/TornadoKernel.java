@@ -44,11 +44,15 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                 int plainPath = isShort != 0 ? Layout.PLAIN_PATH_LENGTH : Layout.PATH_LENGTH;
                 int longPath = (variant & Variant.PATH) != 0 ? Layout.TRACED_PATH_LENGTH : Layout.PATH_LENGTH;
                 int usualPath = isPlain != 0 ? plainPath : longPath;
-                float[] path = new float[Aspect.isGuided(variant) != 0 ? Layout.GUIDED_PATH_LENGTH : usualPath];
+                int layered = Aspect.isLayered(variant);
+                int guidedPath = layered != 0 ? Layout.LAYERED_PATH_LENGTH : Layout.GUIDED_PATH_LENGTH;
+                float[] path = new float[Aspect.isGuided(variant) != 0 ? guidedPath : usualPath];
                 int plainScratch = (variant & Variant.WALK) == 0 ? FEW_SCRATCH : Layout.PLAIN_SCRATCH_LENGTH;
-                float[] scratch = new float[isPlain != 0 ? plainScratch : Layout.SCRATCH_LENGTH];
+                int usualScratch = isPlain != 0 ? plainScratch : Layout.SCRATCH_LENGTH;
+                float[] scratch = new float[layered != 0 ? Layout.LAYERED_SCRATCH_LENGTH : usualScratch];
                 PixelKernel.draw(column, row, path, scratch, frame, bodies, looks, meshes, images, variant);
-                PixelKernel.store(column, row, pixels, radiance, radiance, 3 * width * rows, path, frame, variant);
+                PixelKernel.store(
+                        column, row, pixels, radiance, radiance, 3 * width * rows, path, scratch, frame, variant);
             }
         }
     }

@@ -47,8 +47,8 @@ class ViewsOnDeviceTest {
 
     @ParameterizedTest(name = "{0}")
     @MethodSource("devices")
-    void guidesAreSequentials(EngineOffer offer) {
-        for (String name : new String[] {"cornell", "glass"}) {
+    void guidesAndLightLayersAreSequentials(EngineOffer offer) {
+        for (String name : new String[] {"cornell", "glass", "benchmark", "lamps"}) {
             Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
             SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
             World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
@@ -59,6 +59,7 @@ class ViewsOnDeviceTest {
                     .withSamplesPerPixel(2));
             try (Engine engine = offer.opener().get()) {
                 Pictures.requireSequentialsRadiance(engine, world.snapshot().withGuides());
+                Pictures.requireSequentialsRadiance(engine, world.snapshot().withLightLayers(world.lightGroups()));
             }
         }
     }

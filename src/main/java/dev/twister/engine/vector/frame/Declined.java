@@ -38,8 +38,7 @@ public final class Declined {
      * Declines nothing until {@code take} is called.
      *
      * @param bodies the bodies to decline in addition to those that emit, are metallic or have normal, roughness,
-     *     emission or other maps, to transmitting bodies in a crowd and to meshes that transmit or have a texture or
-     *     vertex colors
+     *     emission or other maps, to transmitting bodies in a crowd and to meshes that have a texture or vertex colors
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
@@ -108,7 +107,7 @@ public final class Declined {
         for (int body = Math.max(count, firstMesh); body < end; body++) {
             declined[body] = bodies.test(body)
                     || isTintedOrEmits(body)
-                    || looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0
+                    || (looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0 && crowded)
                     || looks[Layout.LOOK_STRIDE * body + Layout.LOOK_MAPS] > 0;
             any |= declined[body];
         }

@@ -17,10 +17,13 @@ public final class MeshColumns {
     /** Radii in meters; {@link #NOTHING_THERE} for the padding of the last packet. */
     public float[] radius = {};
 
+    /** More than any number of bodies, and exact as a float. */
+    private static final int ABOVE_ALL = 1 << 30;
+
     /** Number of meshes, without padding. */
     public int count;
 
-    /** Body number of the first mesh. */
+    /** Body number of the first mesh; above all others if there are no meshes. */
     public int firstBody;
 
     /** Lowest and highest y of the visible meshes, in meters. */
@@ -29,8 +32,9 @@ public final class MeshColumns {
     float highest;
 
     void take(FrameInput input) {
-        firstBody = input.bodies().firstMesh();
-        count = input.bodyEnd() - Math.max(input.bodyCount(), firstBody);
+        int first = input.bodies().firstMesh();
+        count = first > 0 ? input.bodyEnd() - Math.max(input.bodyCount(), first) : 0;
+        firstBody = count > 0 ? first : ABOVE_ALL;
         int padded = (count + Lanes.COUNT - 1) / Lanes.COUNT * Lanes.COUNT;
         if (x.length != padded) {
             x = new float[padded];

@@ -8,13 +8,6 @@ import jdk.incubator.vector.VectorOperators;
 public final class Hash {
     private Hash() {}
 
-    /** {@link Noise#hash}. */
-    public static IntVector of(IntVector columns, IntVector rows, int place) {
-        IntVector column = mixed(columns.lanewise(VectorOperators.XOR, Noise.mixed(2 * place)));
-        IntVector row = mixed(rows.lanewise(VectorOperators.XOR, Noise.mixed(2 * place + 1)));
-        return mixed(column.lanewise(VectorOperators.XOR, row));
-    }
-
     /** {@link Noise#mixed}. */
     public static IntVector mixed(IntVector values) {
         IntVector mixed =

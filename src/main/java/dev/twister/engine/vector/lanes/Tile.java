@@ -141,7 +141,15 @@ public final class Tile {
 
     public static final int SECOND_NUMBER = SKY_TO_BOTTOM;
 
-    /** 1 where the ray continues inside the body that it leaves, and 1 where it hits the body from inside; else 0. */
+    /** Cosines of a rough surface's normal with the incoming and an outgoing ray; valid once the facet is known. */
+    public static final int COSINE_IN = SKY_TO_RIGHT;
+
+    public static final int COSINE_OUT = SKY_TO_BOTTOM;
+
+    /**
+     * {@link Layout#INSIDE} of the ray, above 0 where it continues inside the body that it leaves; and 1 where it hits
+     * the body from inside, else 0.
+     */
     public static final int INSIDE = DIRECTION_X + 50 * SIZE;
 
     public static final int FROM_INSIDE = DIRECTION_X + 51 * SIZE;
@@ -204,7 +212,7 @@ public final class Tile {
     public static final int FACE_Y = DIRECTION_X + 64 * SIZE;
     public static final int FACE_Z = DIRECTION_X + 65 * SIZE;
 
-    /** Number of light samples blocked by meshes, in packets of {@link #meshShadows}. */
+    /** Light samples blocked by meshes, in packets of {@link #meshShadows}; a sample may be blocked in part. */
     public static final int MESH_BLOCKED = DIRECTION_X + 66 * SIZE;
 
     private static final int COLUMNS = 67;

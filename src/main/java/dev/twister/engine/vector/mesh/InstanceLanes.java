@@ -96,6 +96,17 @@ final class InstanceLanes {
                 | ((lanes & onZ) != 0L ? 4L : 0L);
     }
 
+    /** Makes the rays that have crossed another body's surface meet those of this one in the same place. */
+    static void touch(Tile tile, PacketWalk walk, int at, int body) {
+        float[] t = tile.values;
+        FloatVector inside = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.INSIDE);
+        VectorMask<Float> crossed = inside.compare(VectorOperators.LT, 0f)
+                .or(inside.compare(VectorOperators.GT, 1f))
+                .and(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.LEAVING).compare(VectorOperators.NE, body));
+        FloatVector reach = FloatVector.fromArray(Lanes.FLOATS, walk.rays, PacketWalk.REACH);
+        reach.blend(reach.neg(), crossed).intoArray(walk.rays, PacketWalk.REACH);
+    }
+
     /**
      * Writes the triangle of the body that each ray leaves, which the ray ignores.
      *

@@ -11,11 +11,11 @@ public final class MeshBench {
 
     final PacketWalk mesh = new PacketWalk();
 
-    /** Number of blocked samples per lane. */
+    /** Sum of the blocked parts of all samples per lane. */
     final float[] blocked = new float[Lanes.BORDER + Lanes.COUNT];
 
-    /** 1 in the lanes with a line to the current sample. */
-    final float[] aimed = new float[Lanes.BORDER + Lanes.COUNT];
+    /** What the bodies met so far transmit along the line to the current sample. */
+    final float[] light = new float[Lanes.BORDER + Lanes.COUNT];
 
     /** The path of one ray, for the kernel. */
     final float[] path = new float[Layout.PATH_LENGTH];

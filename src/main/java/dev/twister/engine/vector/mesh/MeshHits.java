@@ -64,6 +64,9 @@ public final class MeshHits {
         int body = (int) hierarchy[instance + Layout.INSTANCE_BODY];
         int axes = enter(bodies, tile, bench, instance);
         InstanceLanes.ignore(tile, mesh, at, Tile.LEAVING, Tile.LEAVING_TRIANGLE, body);
+        if (drawing.looks.transparent) {
+            InstanceLanes.touch(tile, mesh, at, body);
+        }
         int triangles = Instance.triangles(hierarchy, instance);
         int leaf = BoxLanes.nextLeaf(tile, mesh);
         while (leaf != Layout.NO_NODE) {

@@ -12,17 +12,14 @@ import java.util.Arrays;
 
 /** Light samples that meshes block from the points of a tile, packet by packet: {@code MeshShadow} of the kernel. */
 public final class MeshShadows {
-    /** Marks a point whose light passes a transmitting mesh; the kernel computes its visible part. */
-    public static final float UNKNOWN = -1f;
-
     /** With more meshes, the test of all bounding spheres is skipped. */
     private static final int MOST_MESHES = 256;
 
     private MeshShadows() {}
 
     /**
-     * Sets the visible part to 0 where meshes block all samples. Where they block some, writes their number and lists
-     * the packet. Packets without open lanes are removed from {@link Tile#shadows}.
+     * Sets the visible part to 0 where meshes block all samples. Where they block some, or a part of some, writes the
+     * sum of these parts and lists the packet. Packets without open lanes are removed from {@link Tile#shadows}.
      */
     public static void find(Drawing drawing, Tile tile, MeshBench bench) {
         tile.meshShadows.clear();
@@ -54,44 +51,42 @@ public final class MeshShadows {
 
     /** Tests the samples of one packet; returns one bit per lane that is still open. */
     private static long find(Drawing drawing, Tile tile, MeshBench bench, int at, long open) {
-        long unknown = 0L;
         long lit = open;
         float[] blocked = bench.blocked;
         Arrays.fill(blocked, 0f);
         ShadowLines.findAxes(tile, at, drawing, bench);
-        for (int sample = 0; sample < drawing.shadowSamples && (open & ~unknown) != 0L; sample++) {
-            int first = (int)
-                    ShadowLines.aim(tile, at, bench, open & ~unknown, drawing.discX[sample], drawing.discY[sample]);
+        for (int sample = 0; sample < drawing.shadowSamples; sample++) {
+            int first = (int) ShadowLines.aim(tile, at, bench, open, drawing.discX[sample], drawing.discY[sample]);
             bench.world.follow(first);
-            unknown |= walk(drawing, tile, bench, at);
+            walk(drawing, tile, bench, at);
             lit &= ~ShadowLines.count(tile, bench);
         }
-        long dark = open & ~unknown & ShadowLines.hidden(tile, bench, drawing.shadowSamples);
-        long part = open & ~dark & (unknown | ~lit);
+        long dark = open & ShadowLines.hidden(tile, bench, drawing.shadowSamples);
+        long part = open & ~dark & ~lit;
         if (part != 0L) {
             tile.meshShadows.add(at);
         }
-        ShadowLines.finish(tile, at, bench, dark, part, unknown);
+        ShadowLines.finish(tile, at, bench, dark, part);
         return open & ~dark;
     }
 
-    /** Ends the blocked rays; returns one bit per ray that has hit a transmitting body. */
-    private static long walk(Drawing drawing, Tile tile, MeshBench bench, int at) {
+    /** Ends the lines that opaque bodies block, and dims those that pass others. */
+    private static void walk(Drawing drawing, Tile tile, MeshBench bench, int at) {
         Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.floats();
         PacketWalk world = bench.world;
         world.start(hierarchy, bodies.instances() + 1);
         BoxLanes.aim(tile, world);
-        long unknown = 0L;
         int leaf = BoxLanes.nextLeaf(tile, world);
         while (leaf != Layout.NO_NODE) {
             int instance = Instance.at((int) hierarchy[leaf + Layout.NODE_LINK], bodies.instances(), hierarchy);
             int body = (int) hierarchy[instance + Layout.INSTANCE_BODY];
             long met = meet(bodies, tile, bench, at, instance, body);
-            unknown |= drawing.looks.transmits(body) ? met : 0L;
+            if (met != 0L && drawing.looks.transmits(body)) {
+                ShadowLines.pass(tile, bench, met, drawing.looks.transmission(body));
+            }
             leaf = BoxLanes.nextLeaf(tile, world);
         }
-        return unknown;
     }
 
     private static long meet(Bodies bodies, Tile tile, MeshBench bench, int at, int instance, int body) {

@@ -56,21 +56,31 @@ final class ShadowLines {
         FloatVector.broadcast(Lanes.FLOATS, BLOCKED)
                 .blend(1f, VectorMask.fromLong(Lanes.FLOATS, lanes))
                 .intoArray(r, PacketWalk.END);
-        FloatVector.broadcast(Lanes.FLOATS, 0f)
-                .blend(1f, VectorMask.fromLong(Lanes.FLOATS, lanes))
-                .intoArray(bench.aimed, Lanes.BORDER);
+        FloatVector.broadcast(Lanes.FLOATS, 1f).intoArray(bench.light, Lanes.BORDER);
         return Long.numberOfTrailingZeros(lanes);
     }
 
-    /** Counts the aimed lines that were blocked; returns one bit per blocked line. */
+    /** Dims and resumes the lines that have met a transmitting body. */
+    static void pass(Tile tile, MeshBench bench, long lanes, float transmission) {
+        float[] r = bench.world.rays;
+        VectorMask<Float> met = VectorMask.fromLong(Lanes.FLOATS, lanes);
+        FloatVector light = FloatVector.fromArray(Lanes.FLOATS, bench.light, Lanes.BORDER);
+        light.blend(light.mul(transmission), met).intoArray(bench.light, Lanes.BORDER);
+        FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.END).blend(1f, met).intoArray(r, PacketWalk.END);
+    }
+
+    /**
+     * Adds the blocked parts of the lines, which in lanes without one is all; returns one bit per line that is dimmed.
+     */
     static long count(Tile tile, MeshBench bench) {
-        VectorMask<Float> blocked = FloatVector.fromArray(Lanes.FLOATS, bench.world.rays, PacketWalk.END)
-                .compare(VectorOperators.LT, 0f)
-                .and(FloatVector.fromArray(Lanes.FLOATS, bench.aimed, Lanes.BORDER)
-                        .compare(VectorOperators.GT, 0f));
-        FloatVector count = FloatVector.fromArray(Lanes.FLOATS, bench.blocked, Lanes.BORDER);
-        count.blend(count.add(1f), blocked).intoArray(bench.blocked, Lanes.BORDER);
-        return blocked.toLong();
+        VectorMask<Float> ended = FloatVector.fromArray(Lanes.FLOATS, bench.world.rays, PacketWalk.END)
+                .compare(VectorOperators.LT, 0f);
+        FloatVector light =
+                FloatVector.fromArray(Lanes.FLOATS, bench.light, Lanes.BORDER).blend(0f, ended);
+        FloatVector.fromArray(Lanes.FLOATS, bench.blocked, Lanes.BORDER)
+                .add(FloatVector.broadcast(Lanes.FLOATS, 1f).sub(light))
+                .intoArray(bench.blocked, Lanes.BORDER);
+        return light.compare(VectorOperators.LT, 1f).toLong();
     }
 
     /** One bit per lane in which all samples are blocked. */
@@ -81,7 +91,7 @@ final class ShadowLines {
     }
 
     /** Closes the lanes in full shadow, and writes the blocked samples of partly shaded lanes. */
-    static void finish(Tile tile, int at, MeshBench bench, long dark, long part, long unknown) {
+    static void finish(Tile tile, int at, MeshBench bench, long dark, long part) {
         float[] t = tile.values;
         FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.VISIBLE)
                 .blend(0f, VectorMask.fromLong(Lanes.FLOATS, dark))
@@ -93,7 +103,6 @@ final class ShadowLines {
                 .blend(
                         FloatVector.fromArray(Lanes.FLOATS, bench.blocked, Lanes.BORDER),
                         VectorMask.fromLong(Lanes.FLOATS, part))
-                .blend(MeshShadows.UNKNOWN, VectorMask.fromLong(Lanes.FLOATS, unknown))
                 .intoArray(t, at + Tile.MESH_BLOCKED);
     }
 }

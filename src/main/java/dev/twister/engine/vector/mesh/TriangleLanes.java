@@ -115,13 +115,17 @@ final class TriangleLanes {
                 .add(c.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_C)));
         FloatVector distance = volume.div(sum).mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.LONGEST_INVERSE));
         int place = triangles + Layout.TRIANGLE_STRIDE * triangle;
-        FloatVector slack = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.REACH)
-                .add(Triangle.largest(place, walk.boxes))
-                .mul(Triangle.slack(place, walk.boxes));
+        FloatVector reach = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.REACH);
+        FloatVector slack = reach.abs().add(Triangle.largest(place, walk.boxes)).mul(Triangle.slack(place, walk.boxes));
+        VectorMask<Float> apart = volume.abs().compare(VectorOperators.GT, slack);
+        VectorMask<Float> touches = reach.compare(VectorOperators.LT, 0f).andNot(apart);
+        distance = distance.blend(
+                Triangle.TOUCHING,
+                distance.compare(VectorOperators.LT, Triangle.TOUCHING).and(touches));
         FloatVector end = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.END);
         VectorMask<Float> met = distance.compare(VectorOperators.LE, end.mul(1f + Coincidence.TOLERANCE))
                 .and(distance.compare(VectorOperators.GT, 0f))
-                .and(volume.abs().compare(VectorOperators.GT, slack))
+                .and(apart.or(touches))
                 .and(sum.compare(VectorOperators.NE, 0f))
                 .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AXIS).compare(VectorOperators.EQ, axis))
                 .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.IGNORED).compare(VectorOperators.NE, triangle))

@@ -8,6 +8,7 @@ import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.ShadowColumns;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Shadow;
+import java.util.Arrays;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
@@ -75,46 +76,62 @@ final class TransmittedLight {
     }
 
     /** Writes the mean over the samples of the product of all candidates' transmissions. */
-    static void average(Tile tile, int at, Drawing drawing, ShadowColumns scratch) {
-        float[] t = tile.values;
-        float[] disc = drawing.disc;
+    private static void average(Tile tile, int at, Drawing drawing, ShadowColumns scratch) {
+        int samples = drawing.shadowSamples;
+        scratch.reserveConics(samples);
+        Arrays.fill(scratch.conics, Lanes.BORDER, Lanes.BORDER + samples * Lanes.COUNT, 1f);
+        for (int c = 0; c < scratch.candidates.count; c++) {
+            float transmission = drawing.looks.transmission(scratch.candidates.bodies[c]);
+            dim(tile, at, scratch, c * ShadowColumns.STRIDE, transmission, drawing.disc, samples);
+        }
+        add(tile, at, scratch, samples);
+    }
+
+    /** Multiplies the light of the samples that the candidate blocks by its transmission. */
+    static void dim(Tile tile, int at, ShadowColumns scratch, int from, float transmission, float[] disc, int samples) {
         float[] facts = scratch.facts;
-        FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
+        float[] light = scratch.conics;
+        FloatVector distance = Lanes.load(tile.values, at + Tile.LIGHT_DISTANCE);
         FloatVector scale = Lanes.load(scratch.frame, ShadowColumns.SCALE);
-        FloatVector blocked = Lanes.all(0f);
-        for (int sample = 0; sample < drawing.shadowSamples; sample++) {
+        FloatVector a = Lanes.load(facts, from + ShadowColumns.ALONG);
+        FloatVector u = Lanes.load(facts, from + ShadowColumns.ACROSS_U);
+        FloatVector w = Lanes.load(facts, from + ShadowColumns.ACROSS_W);
+        FloatVector radiusSquared = Lanes.load(facts, from + ShadowColumns.RADIUS_SQUARED);
+        FloatVector beyondA = distance.sub(a);
+        FloatVector center = Lanes.fma(a, a, Lanes.fma(u, u, w.mul(w)));
+        for (int sample = 0; sample < samples; sample++) {
             FloatVector x = scale.mul(disc[2 * sample]);
             FloatVector y = scale.mul(disc[2 * sample + 1]);
             FloatVector lengthSquared = Lanes.fma(x, x, Lanes.fma(y, y, Lanes.all(1f)));
-            FloatVector light = Lanes.all(1f);
-            for (int c = 0; c < scratch.candidates.count; c++) {
-                int from = c * ShadowColumns.STRIDE;
-                FloatVector a = Lanes.load(facts, from + ShadowColumns.ALONG);
-                FloatVector u = Lanes.load(facts, from + ShadowColumns.ACROSS_U);
-                FloatVector w = Lanes.load(facts, from + ShadowColumns.ACROSS_W);
-                FloatVector radiusSquared = Lanes.load(facts, from + ShadowColumns.RADIUS_SQUARED);
-                FloatVector p = u.sub(a.mul(x));
-                FloatVector q = w.sub(a.mul(y));
-                FloatVector moment = p.mul(y).sub(q.mul(x));
-                FloatVector beyondA = distance.sub(a);
-                FloatVector beyondU = distance.mul(x).sub(u);
-                FloatVector beyondW = distance.mul(y).sub(w);
-                FloatVector along = Lanes.fma(x, u, Lanes.fma(y, w, a));
-                FloatVector beyond = Lanes.fma(beyondA, beyondA, Lanes.fma(beyondU, beyondU, beyondW.mul(beyondW)));
-                FloatVector center = Lanes.fma(a, a, Lanes.fma(u, u, w.mul(w)));
-                VectorMask<Float> before = along.compare(VectorOperators.LT, distance.mul(lengthSquared))
-                        .or(beyond.compare(VectorOperators.LT, radiusSquared))
-                        .and(along.compare(VectorOperators.GT, 0f));
-                VectorMask<Float> blocks = before.and(center.compare(VectorOperators.GT, radiusSquared))
-                        .or(beyond.compare(VectorOperators.GE, radiusSquared)
-                                .and(center.compare(VectorOperators.LE, radiusSquared)))
-                        .and(Lanes.fma(moment, moment, Lanes.fma(p, p, q.mul(q)))
-                                .compare(VectorOperators.LE, radiusSquared.mul(lengthSquared)));
-                light = light.blend(light.mul(drawing.looks.transmission(scratch.candidates.bodies[c])), blocks);
-            }
-            blocked = blocked.add(Lanes.all(1f).sub(light));
+            FloatVector p = u.sub(a.mul(x));
+            FloatVector q = w.sub(a.mul(y));
+            FloatVector moment = p.mul(y).sub(q.mul(x));
+            FloatVector beyondU = distance.mul(x).sub(u);
+            FloatVector beyondW = distance.mul(y).sub(w);
+            FloatVector along = Lanes.fma(x, u, Lanes.fma(y, w, a));
+            FloatVector beyond = Lanes.fma(beyondA, beyondA, Lanes.fma(beyondU, beyondU, beyondW.mul(beyondW)));
+            VectorMask<Float> before = along.compare(VectorOperators.LT, distance.mul(lengthSquared))
+                    .or(beyond.compare(VectorOperators.LT, radiusSquared))
+                    .and(along.compare(VectorOperators.GT, 0f));
+            VectorMask<Float> blocks = before.and(center.compare(VectorOperators.GT, radiusSquared))
+                    .or(beyond.compare(VectorOperators.GE, radiusSquared)
+                            .and(center.compare(VectorOperators.LE, radiusSquared)))
+                    .and(Lanes.fma(moment, moment, Lanes.fma(p, p, q.mul(q)))
+                            .compare(VectorOperators.LE, radiusSquared.mul(lengthSquared)));
+            FloatVector lit = Lanes.load(light, Lanes.BORDER + sample * Lanes.COUNT);
+            lit.blend(lit.mul(transmission), blocks).intoArray(light, Lanes.BORDER + sample * Lanes.COUNT);
         }
-        FloatVector visible = Lanes.all(1f).sub(blocked.div(drawing.shadowSamples));
+    }
+
+    /** Writes the mean of the samples' light as the visible parts of the open lanes. */
+    static void add(Tile tile, int at, ShadowColumns scratch, int samples) {
+        float[] t = tile.values;
+        float[] light = scratch.conics;
+        FloatVector blocked = FloatVector.zero(Lanes.FLOATS);
+        for (int sample = 0; sample < samples; sample++) {
+            blocked = blocked.add(Lanes.all(1f).sub(Lanes.load(light, Lanes.BORDER + sample * Lanes.COUNT)));
+        }
+        FloatVector visible = Lanes.all(1f).sub(blocked.div(samples));
         Lanes.load(t, at + Tile.VISIBLE)
                 .blend(visible, Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f))
                 .intoArray(t, at + Tile.VISIBLE);

@@ -86,10 +86,10 @@ public final class BranchLanes {
         red.intoArray(t, at + Tile.NEXT_RED);
         green.intoArray(t, at + Tile.NEXT_GREEN);
         blue.intoArray(t, at + Tile.NEXT_BLUE);
-        Lanes.all(1f)
-                .sub(Lanes.load(t, at + Tile.FROM_INSIDE))
-                .blend(0f, Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE))
-                .intoArray(t, at + Tile.NEXT_INSIDE);
+        VectorMask<Float> out = Lanes.load(t, at + Tile.FROM_INSIDE)
+                .compare(VectorOperators.GT, 0f)
+                .or(Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE));
+        Lanes.all(Layout.CROSSED_INTO).blend(Layout.CROSSED_OUT, out).intoArray(t, at + Tile.NEXT_INSIDE);
         return Lanes.larger(Lanes.larger(red, green), blue)
                 .compare(VectorOperators.GE, Branch.LEAST_THROUGHPUT)
                 .toLong();

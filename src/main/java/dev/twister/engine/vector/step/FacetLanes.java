@@ -2,15 +2,12 @@ package dev.twister.engine.vector.step;
 
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.FacetWeight;
-import dev.twister.engine.vector.lanes.Hash;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.PacketList;
 import dev.twister.engine.vector.lanes.Sine;
 import dev.twister.engine.vector.lanes.Tile;
-import dev.twister.kernel.Layout;
 import dev.twister.kernel.Noise;
 import jdk.incubator.vector.FloatVector;
-import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
@@ -26,8 +23,8 @@ public final class FacetLanes {
         face(tile, packets);
         if (tile.rough.count > 0) {
             int place = Noise.surface(bounce);
-            findNumbers(tile, drawing, place, Tile.FIRST_NUMBER);
-            findNumbers(tile, drawing, place + 1, Tile.SECOND_NUMBER);
+            NumberLanes.find(tile, drawing, place, Tile.FIRST_NUMBER);
+            NumberLanes.find(tile, drawing, place + 1, Tile.SECOND_NUMBER);
             findViews(tile);
             findHeights(tile);
             addAround(tile, COSINE, Tile.LOCAL_X);
@@ -53,53 +50,6 @@ public final class FacetLanes {
             x.blend(x.neg(), behind).intoArray(t, at + Tile.FACET_X);
             y.blend(y.neg(), behind).intoArray(t, at + Tile.FACET_Y);
             z.blend(z.neg(), behind).intoArray(t, at + Tile.FACET_Z);
-        }
-    }
-
-    /** Writes one of the sample's random numbers. */
-    private static void findNumbers(Tile tile, Drawing drawing, int place, int column) {
-        if (place < Layout.SAMPLE_STRIDE) {
-            findShifted(tile, drawing, place, column);
-        } else {
-            findHashed(tile, drawing, place, column);
-        }
-    }
-
-    /** Numbers of the frame, shifted by a hash of each pixel. */
-    static void findShifted(Tile tile, Drawing drawing, int place, int column) {
-        float[] t = tile.values;
-        float shared = drawing.input.view().sample(tile.sample, place);
-        int left = tile.left;
-        int top = drawing.input.firstRow() + tile.top;
-        for (int k = 0; k < tile.rough.count; k++) {
-            int at = tile.rough.places[k];
-            IntVector x = Lanes.truncated(Lanes.load(t, at + Tile.PLACE_X)).add(left);
-            IntVector y = Lanes.truncated(Lanes.load(t, at + Tile.PLACE_Y)).add(top);
-            FloatVector number =
-                    Lanes.toFloats(Hash.of(x, y, place)).mul(Noise.STEP).add(shared);
-            number.blend(number.sub(1f), number.compare(VectorOperators.GE, 1f)).intoArray(t, at + column);
-        }
-    }
-
-    /** Numbers beyond those of the frame: a hash of pixel, place and sample. */
-    static void findHashed(Tile tile, Drawing drawing, int place, int column) {
-        float[] t = tile.values;
-        int sample = (int) drawing.input.view().frame()[Layout.FIRST_SAMPLE] + tile.sample;
-        int upper = Noise.mixed((sample >> 16) ^ Noise.mixed(place));
-        int left = tile.left;
-        int top = drawing.input.firstRow() + tile.top;
-        for (int k = 0; k < tile.rough.count; k++) {
-            int at = tile.rough.places[k];
-            IntVector x = Lanes.truncated(Lanes.load(t, at + Tile.PLACE_X)).add(left);
-            IntVector y = Lanes.truncated(Lanes.load(t, at + Tile.PLACE_Y)).add(top);
-            IntVector pixel = Hash.of(x, y, place).lanewise(VectorOperators.XOR, sample & Noise.BITS);
-            IntVector high = Hash.mixed(Hash.mixed(pixel).lanewise(VectorOperators.XOR, upper));
-            IntVector low = Hash.mixed(high.lanewise(VectorOperators.XOR, Hash.of(y, x, place + 1)))
-                    .and(255);
-            Lanes.toFloats(high)
-                    .mul(Noise.STEP)
-                    .add(Lanes.toFloats(low).mul(Noise.STEP * Noise.STEP * 256f))
-                    .intoArray(t, at + column);
         }
     }
 
@@ -223,13 +173,14 @@ public final class FacetLanes {
     /** Reflects some packets' rays at their facets; rough surfaces reduce the throughput. */
     public static void reflect(Tile tile, PacketList packets) {
         if (tile.rough.count > 0) {
-            weigh(tile);
+            findCosines(tile);
+            weigh(tile, Tile.THROUGHPUT);
         }
         turn(tile, packets);
     }
 
-    /** Multiplies the throughput by the weight of the facet sample on rough surfaces. */
-    static void weigh(Tile tile) {
+    /** Writes the cosines of the rays and of their reflections with the normals of rough surfaces. */
+    static void findCosines(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.rough.count; k++) {
             int at = tile.rough.places[k];
@@ -253,9 +204,26 @@ public final class FacetLanes {
             FloatVector tilted = facetX.mul(normalX).add(facetY.mul(normalY)).add(facetZ.mul(normalZ));
             FloatVector out = in.add(cosine.add(cosine).mul(tilted));
             out = out.blend(out.neg(), in.compare(VectorOperators.GT, 0f));
-            Lanes.load(t, at + Tile.THROUGHPUT)
-                    .mul(FacetWeight.of(Lanes.load(t, at + Tile.ROUGHNESS), in.abs(), out))
-                    .intoArray(t, at + Tile.THROUGHPUT);
+            in.abs().intoArray(t, at + Tile.COSINE_IN);
+            out.intoArray(t, at + Tile.COSINE_OUT);
+        }
+    }
+
+    /**
+     * Multiplies parts of the light by the weight of the facet sample on rough surfaces.
+     *
+     * @param column the tile's column of the parts
+     */
+    static void weigh(Tile tile, int column) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.rough.count; k++) {
+            int at = tile.rough.places[k];
+            FloatVector weight = FacetWeight.of(
+                    Lanes.load(t, at + Tile.ROUGHNESS),
+                    Lanes.load(t, at + Tile.COSINE_IN),
+                    Lanes.load(t, at + Tile.COSINE_OUT));
+            FloatVector part = Lanes.load(t, at + column);
+            part.blend(part.mul(weight), part.compare(VectorOperators.GT, 0f)).intoArray(t, at + column);
         }
     }
 

@@ -1,7 +1,6 @@
 package dev.twister.engine.vector.step;
 
 import dev.twister.engine.vector.frame.Drawing;
-import dev.twister.engine.vector.lanes.FacetWeight;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
@@ -20,7 +19,8 @@ public final class RefractionLanes {
     public static void find(Drawing drawing, Tile tile) {
         findAll(tile, drawing.looks.transmits(Layout.PLANE));
         if (tile.rough.count > 0) {
-            weigh(tile);
+            findCosines(tile);
+            FacetLanes.weigh(tile, Tile.REFRACTED_PART);
         }
     }
 
@@ -130,8 +130,8 @@ public final class RefractionLanes {
         Lanes.load(t, at + Tile.REFRACTED_Z).blend(z.mul(inverse), sheet).intoArray(t, at + Tile.REFRACTED_Z);
     }
 
-    /** Multiplies the refracted parts by the weight of the facet sample on rough surfaces. */
-    static void weigh(Tile tile) {
+    /** Writes the cosines of the rays and of the refracted rays with the normals of rough surfaces. */
+    static void findCosines(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.rough.count; k++) {
             int at = tile.rough.places[k];
@@ -147,9 +147,8 @@ public final class RefractionLanes {
                     .add(Lanes.load(t, at + Tile.REFRACTED_Y).mul(normalY))
                     .add(Lanes.load(t, at + Tile.REFRACTED_Z).mul(normalZ));
             out = out.neg().blend(out, in.compare(VectorOperators.GT, 0f));
-            FloatVector part = Lanes.load(t, at + Tile.REFRACTED_PART);
-            FloatVector weighed = part.mul(FacetWeight.of(Lanes.load(t, at + Tile.ROUGHNESS), in.abs(), out));
-            part.blend(weighed, part.compare(VectorOperators.GT, 0f)).intoArray(t, at + Tile.REFRACTED_PART);
+            in.abs().intoArray(t, at + Tile.COSINE_IN);
+            out.intoArray(t, at + Tile.COSINE_OUT);
         }
     }
 }

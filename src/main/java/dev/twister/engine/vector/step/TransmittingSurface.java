@@ -14,8 +14,10 @@ public final class TransmittingSurface {
     /**
      * Turns the normals of spheres that are hit from inside, removes the transmitted part from the albedo, and lists
      * the packets with transmitting surfaces. At the last bounce the transmission is 0.
+     *
+     * @param firstMesh the first mesh's body; above all bodies if there are no meshes
      */
-    public static void face(Tile tile) {
+    public static void face(Tile tile, int firstMesh) {
         tile.transparent.clear();
         float[] t = tile.values;
         float notLast = tile.last ? 0f : 1f;
@@ -27,16 +29,18 @@ public final class TransmittingSurface {
             FloatVector z = Lanes.load(t, at + Tile.NORMAL_Z);
             FloatVector transmission = Lanes.load(t, at + Tile.TRANSMISSION);
             VectorMask<Float> transmits = transmission.compare(VectorOperators.GT, 0f);
-            VectorMask<Float> inside = Lanes.load(t, at + Tile.DIRECTION_X)
-                    .mul(x)
-                    .add(Lanes.load(t, at + Tile.DIRECTION_Y).mul(y))
-                    .add(Lanes.load(t, at + Tile.DIRECTION_Z).mul(z))
-                    .compare(VectorOperators.GT, 0f)
+            VectorMask<Float> mesh = hit.compare(VectorOperators.GE, firstMesh);
+            FloatVector along = Lanes.load(t, at + Tile.DIRECTION_X)
+                    .mul(x.blend(Lanes.load(t, at + Tile.FACE_X), mesh))
+                    .add(Lanes.load(t, at + Tile.DIRECTION_Y).mul(y.blend(Lanes.load(t, at + Tile.FACE_Y), mesh)))
+                    .add(Lanes.load(t, at + Tile.DIRECTION_Z).mul(z.blend(Lanes.load(t, at + Tile.FACE_Z), mesh)));
+            VectorMask<Float> inside = along.compare(VectorOperators.GT, 0f)
                     .and(hit.compare(VectorOperators.GT, Layout.PLANE))
                     .and(transmits);
-            x.blend(x.neg(), inside).intoArray(t, at + Tile.NORMAL_X);
-            y.blend(y.neg(), inside).intoArray(t, at + Tile.NORMAL_Y);
-            z.blend(z.neg(), inside).intoArray(t, at + Tile.NORMAL_Z);
+            VectorMask<Float> turned = inside.andNot(mesh);
+            x.blend(x.neg(), turned).intoArray(t, at + Tile.NORMAL_X);
+            y.blend(y.neg(), turned).intoArray(t, at + Tile.NORMAL_Y);
+            z.blend(z.neg(), turned).intoArray(t, at + Tile.NORMAL_Z);
             Lanes.all(0f).blend(1f, inside).intoArray(t, at + Tile.FROM_INSIDE);
             Lanes.all(0f)
                     .blend(Lanes.load(t, at + Tile.THROUGHPUT), hit.compare(VectorOperators.GE, Layout.PLANE))

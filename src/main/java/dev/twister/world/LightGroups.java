@@ -1,0 +1,62 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.LightLayers;
+import dev.twister.scene.Emission;
+import dev.twister.scene.Integrator;
+import dev.twister.scene.Light;
+import dev.twister.scene.LightGroup;
+import dev.twister.scene.Material;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import java.util.List;
+
+/**
+ * The groups of a scene's lights, each of which can be a layer of the picture.
+ *
+ * @param names of the groups, in the order of the layers
+ * @param layers of the sky and of each body, as {@link LightLayers} reads them
+ */
+@SuppressWarnings("ArrayRecordComponent") // never compared
+public record LightGroups(List<String> names, float[] layers) {
+    /**
+     * The groups of a scene.
+     *
+     * @throws IllegalArgumentException if there are more than {@link Layout#MOST_LIGHT_LAYERS}
+     */
+    static LightGroups of(Scene scene, List<MeshBody> meshes) {
+        List<Sphere> spheres = scene.allSpheres();
+        List<Light> further = scene.lights().further();
+        int firstLight = Layout.FIRST_SPHERE + spheres.size();
+        int firstMesh = firstLight + further.size();
+        GroupNumbers numbers = new GroupNumbers(1 + firstMesh + meshes.size());
+        if (scene.sky().strength() > 0) {
+            numbers.put(Layout.NOTHING, LightGroup.SKY);
+        }
+        if (scene.rendering().integrator() == Integrator.WHITTED) {
+            numbers.put(Layout.PLANE, LightGroup.AMBIENT);
+        }
+        numbers.put(Layout.LIGHT, group(scene.lights().first()));
+        for (int index = 0; index < further.size(); index++) {
+            numbers.put(firstLight + index, group(further.get(index)));
+        }
+        for (int index = 0; index < spheres.size(); index++) {
+            putEmitter(numbers, Layout.FIRST_SPHERE + index, spheres.get(index).material());
+        }
+        for (int index = 0; index < meshes.size(); index++) {
+            putEmitter(numbers, firstMesh + index, meshes.get(index).material());
+        }
+        return numbers.groups();
+    }
+
+    private static String group(Light light) {
+        return light.group().equals(LightGroup.NONE) ? LightGroup.LIGHTS : light.group();
+    }
+
+    private static void putEmitter(GroupNumbers numbers, int body, Material material) {
+        Emission emission = material.emission();
+        if (!emission.isNone() || material.unlit()) {
+            numbers.put(body, emission.group().equals(LightGroup.NONE) ? LightGroup.EMITTERS : emission.group());
+        }
+    }
+}
