@@ -5,6 +5,7 @@ import dev.twister.gui.model.BodyDrag;
 import dev.twister.gui.model.BodyTransform;
 import dev.twister.gui.model.BodyTransform.Mode;
 import dev.twister.gui.model.Projection;
+import dev.twister.gui.picture.PicturePlace;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.Studio;
 import dev.twister.kernel.Layout;
@@ -84,7 +85,7 @@ public final class TransformKeys {
         }
         view.requestFocus();
         FrameInput input = studio.pictureProperty().get().get().input();
-        Point2D from = view.place().toPicture(pointer.getX(), pointer.getY());
+        Point2D from = pixel(input);
         Vector3 pivot = bodies.get().pivot();
         held = Optional.of(
                 new Held(bodies.get(), BodyDrag.start(input, pivot, pivot, from.getX(), from.getY()), input, from));
@@ -204,7 +205,7 @@ public final class TransformKeys {
 
     private UnaryOperator<Scene> move(Held taken) {
         Vector3 pivot = taken.bodies().pivot();
-        Point2D to = view.place().toPicture(pointer.getX(), pointer.getY());
+        Point2D to = pixel(taken.input());
         Vector3 by = number().map(meters -> axis.orElse(Axis.X).from(Vector3.ZERO, meters))
                 .orElseGet(() -> {
                     Vector3 free = axis.map(
@@ -233,14 +234,21 @@ public final class TransformKeys {
     private double screenDegrees(Held taken) {
         Point2D middle = middle(taken);
         Point2D from = taken.from().subtract(middle);
-        Point2D to = view.place().toPicture(pointer.getX(), pointer.getY()).subtract(middle);
+        Point2D to = pixel(taken.input()).subtract(middle);
         return Math.toDegrees(Math.atan2(to.getY(), to.getX()) - Math.atan2(from.getY(), from.getX()));
     }
 
     private double factor(Held taken) {
         Point2D middle = middle(taken);
         double from = Math.max(1, taken.from().distance(middle));
-        return view.place().toPicture(pointer.getX(), pointer.getY()).distance(middle) / from;
+        return pixel(taken.input()).distance(middle) / from;
+    }
+
+    /** The pointer's place in the picture at the start; the present one may have more pixels. */
+    private Point2D pixel(FrameInput input) {
+        PicturePlace place = view.place();
+        Point2D now = place.toPicture(pointer.getX(), pointer.getY());
+        return new Point2D(now.getX() * input.width() / place.width(), now.getY() * input.height() / place.height());
     }
 
     private static Point2D middle(Held taken) {
