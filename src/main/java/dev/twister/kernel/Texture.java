@@ -130,7 +130,7 @@ public final class Texture {
     /** One channel of a texel, which is counted from the map's first one. */
     public static float texel(int start, int packed, int texel, int channel, float[] images) {
         int place = start + (packed != 0 ? texel : Layout.TEXEL_STRIDE * texel + channel);
-        int code = (int) images[place] >> 8 * channel & 255;
+        int code = ((int) images[place] >> (8 * channel)) & 255;
         return images[packed != 0 ? start - Layout.CODES + code : place];
     }
 

@@ -53,7 +53,7 @@ final class MeshoptFilter {
         ByteBuffer buffer = little(elements);
         for (int at = 0; at < elements.length; at += 4) {
             int value = buffer.getInt(at);
-            buffer.putFloat(at, (float) Math.scalb((double) (value << 8 >> 8), value >> 24));
+            buffer.putFloat(at, (float) Math.scalb((double) ((value << 8) >> 8), value >> 24));
         }
     }
 
@@ -61,19 +61,19 @@ final class MeshoptFilter {
     static void color(byte[] elements, int stride) {
         int bytes = stride / 4;
         ByteBuffer buffer = little(elements);
-        int mask = (1 << 8 * bytes) - 1;
+        int mask = (1 << (8 * bytes)) - 1;
         for (int at = 0; at < elements.length; at += stride) {
             int luminance = get(buffer, at, bytes) & mask;
             int orange = get(buffer, at + bytes, bytes);
             int green = get(buffer, at + 2 * bytes, bytes);
             int opacity = get(buffer, at + 3 * bytes, bytes) & mask;
             int largest = 2 * Integer.highestOneBit(Math.max(opacity, 1)) - 1;
-            int part = opacity & largest >> 1;
+            int part = opacity & (largest >> 1);
             double scale = (double) mask / largest;
             put(buffer, at, bytes, (luminance + orange - green) * scale);
             put(buffer, at + bytes, bytes, (luminance + green) * scale);
             put(buffer, at + 2 * bytes, bytes, (luminance - orange - green) * scale);
-            put(buffer, at + 3 * bytes, bytes, (part << 1 | part & 1) * scale);
+            put(buffer, at + 3 * bytes, bytes, ((part << 1) | (part & 1)) * scale);
         }
     }
 

@@ -65,8 +65,8 @@ final class MeshoptIndices {
         int edge = code >> 4;
         int third = code & 0xf;
         if (edge < 0xf) {
-            int a = edges[nextEdge - 1 - 2 * edge & EDGES - 1];
-            int b = edges[nextEdge - 2 - 2 * edge & EDGES - 1];
+            int a = edges[(nextEdge - 1 - 2 * edge) & (EDGES - 1)];
+            int b = edges[(nextEdge - 2 - 2 * edge) & (EDGES - 1)];
             int c = thirdCorner(third);
             put(triangle, a, b, c);
             addEdge(b, c);
@@ -146,18 +146,18 @@ final class MeshoptIndices {
 
     /** The vertex that was added some time ago, 0 for the last. */
     private int vertex(int ago) {
-        return vertices[nextVertex - 1 - ago & VERTICES - 1];
+        return vertices[(nextVertex - 1 - ago) & (VERTICES - 1)];
     }
 
     private void addVertex(int vertex) {
         vertices[nextVertex] = vertex;
-        nextVertex = nextVertex + 1 & VERTICES - 1;
+        nextVertex = (nextVertex + 1) & (VERTICES - 1);
     }
 
     private void addEdge(int from, int to) {
         edges[nextEdge] = from;
         edges[nextEdge + 1] = to;
-        nextEdge = nextEdge + 2 & EDGES - 1;
+        nextEdge = (nextEdge + 2) & (EDGES - 1);
     }
 
     private void put(int triangle, int a, int b, int c) {

@@ -25,7 +25,6 @@ final class MeshoptVertices {
 
     private final byte[] source;
     private final byte[] target;
-    private final int count;
     private final int stride;
     private final int version;
     private final int tail;
@@ -35,7 +34,6 @@ final class MeshoptVertices {
 
     private MeshoptVertices(byte[] source, int count, int stride) {
         this.source = source;
-        this.count = count;
         this.stride = stride;
         this.target = new byte[count * stride];
         this.version = source[0] & 0xf;
@@ -55,7 +53,7 @@ final class MeshoptVertices {
             throw new IndexOutOfBoundsException("unknown header");
         }
         MeshoptVertices vertices = new MeshoptVertices(source, count, stride);
-        int inBlock = Math.min(BLOCK_BYTES / stride & -GROUP, MOST_IN_BLOCK);
+        int inBlock = Math.min((BLOCK_BYTES / stride) & -GROUP, MOST_IN_BLOCK);
         for (int first = 0; first < count; first += inBlock) {
             vertices.readBlock(first, Math.min(count - first, inBlock));
         }
@@ -67,7 +65,7 @@ final class MeshoptVertices {
         at += version == 0 ? 0 : stride / 4;
         Arrays.fill(columns, (byte) 0);
         for (int column = 0; column < stride; column++) {
-            int kind = version == 0 ? 0 : source[kinds + column / 4] >> 2 * (column % 4) & 3;
+            int kind = version == 0 ? 0 : (source[kinds + column / 4] >> (2 * (column % 4))) & 3;
             if (kind == VERBATIM) {
                 System.arraycopy(source, at, columns, MOST_IN_BLOCK * column, elements);
                 at += elements;
@@ -89,7 +87,7 @@ final class MeshoptVertices {
         int headers = at;
         at += Math.ceilDiv(groups, 4);
         for (int group = 0; group < groups; group++) {
-            int header = source[headers + group / 4] >> 2 * (group % 4) & 3;
+            int header = (source[headers + group / 4] >> (2 * (group % 4))) & 3;
             readGroup(column + GROUP * group, bits[header]);
         }
     }
@@ -106,7 +104,7 @@ final class MeshoptVertices {
             for (int i = 0; i < GROUP; i++) {
                 // Single bits begin at the lowest, others at the highest ones.
                 int place = bits == 1 ? i % inByte : inByte - 1 - i % inByte;
-                int value = source[packed + i / inByte] >> bits * place & largest;
+                int value = (source[packed + i / inByte] >> (bits * place)) & largest;
                 columns[to + i] = value == largest ? source[at++] : (byte) value;
             }
         }
@@ -129,7 +127,7 @@ final class MeshoptVertices {
                 put(
                         column,
                         4,
-                        number(column, 4) ^ Integer.rotateRight(difference(element, column, 4), mode >> 4 & 0xf));
+                        number(column, 4) ^ Integer.rotateRight(difference(element, column, 4), (mode >> 4) & 0xf));
             default -> throw new IndexOutOfBoundsException("unknown mode of a channel");
         }
     }
@@ -137,7 +135,7 @@ final class MeshoptVertices {
     private int difference(int element, int column, int bytes) {
         int value = 0;
         for (int i = 0; i < bytes; i++) {
-            value |= (columns[MOST_IN_BLOCK * (column + i) + element] & 0xff) << 8 * i;
+            value |= (columns[MOST_IN_BLOCK * (column + i) + element] & 0xff) << (8 * i);
         }
         return value;
     }
@@ -145,19 +143,19 @@ final class MeshoptVertices {
     private int number(int column, int bytes) {
         int value = 0;
         for (int i = 0; i < bytes; i++) {
-            value |= (last[column + i] & 0xff) << 8 * i;
+            value |= (last[column + i] & 0xff) << (8 * i);
         }
         return value;
     }
 
     private void put(int column, int bytes, int value) {
         for (int i = 0; i < bytes; i++) {
-            last[column + i] = (byte) (value >> 8 * i);
+            last[column + i] = (byte) (value >> (8 * i));
         }
     }
 
     /** A signed number from one with the sign in its lowest bit. */
     static int signed(int value) {
-        return value >>> 1 ^ -(value & 1);
+        return (value >>> 1) ^ -(value & 1);
     }
 }

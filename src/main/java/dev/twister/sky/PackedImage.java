@@ -13,6 +13,6 @@ public record PackedImage(int width, int height, int[] texels, float[] linear, b
 
     /** A channel's value: 0 red, 1 green, 2 blue, 3 opacity. */
     public int value(int texel, int channel) {
-        return texels[texel] >> 8 * channel & VALUES - 1;
+        return (texels[texel] >> (8 * channel)) & (VALUES - 1);
     }
 }

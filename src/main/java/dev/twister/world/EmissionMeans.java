@@ -55,6 +55,6 @@ final class EmissionMeans {
     /** The place of what a packed texel's code stands for. */
     private int code(int start, int i) {
         int texel = (int) images[start + i / Layout.TEXEL_STRIDE];
-        return start - Layout.CODES + (texel >> 8 * (i % Layout.TEXEL_STRIDE) & 255);
+        return start - Layout.CODES + ((texel >> (8 * (i % Layout.TEXEL_STRIDE))) & 255);
     }
 }
