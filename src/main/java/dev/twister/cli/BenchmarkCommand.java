@@ -136,7 +136,7 @@ final class BenchmarkCommand implements Callable<Integer> {
 
     @Option(
             names = "--max-seconds",
-            paramLabel = "S",
+            paramLabel = "SECONDS",
             description =
                     "Time limit per engine and size, warm-up included (default: 30). The small frames before the first"
                             + " size have the same limit.")
