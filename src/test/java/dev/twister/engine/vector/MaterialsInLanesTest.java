@@ -9,6 +9,7 @@ import dev.twister.image.Frame;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.RandomScenes;
+import dev.twister.scene.Camera;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -30,7 +31,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Glass, rough surfaces and textures in lanes equal the scalar kernel's, in random scenes and also with cameras inside
+ * Glass, rough surfaces, textures and the lens in lanes equal the scalar kernel's, in random scenes and also with cameras inside
  * glass.
  */
 final class MaterialsInLanesTest {
@@ -43,6 +44,7 @@ final class MaterialsInLanesTest {
         TEXTURES,
         ROUGH,
         GLASS,
+        LENS,
         ALL
     }
 
@@ -83,7 +85,12 @@ final class MaterialsInLanesTest {
         if (!spheres.isEmpty()) {
             addInsideAndBeside(spheres, spheres.getFirst());
         }
-        Scene scene = plain.withSpheres(spheres)
+        Camera camera = plain.camera();
+        if (kind == Kind.LENS || kind == Kind.ALL) {
+            camera = camera.withAperture(0.3 * random.nextDouble()).withFocusDistance(1 + 9 * random.nextDouble());
+        }
+        Scene scene = plain.withCamera(camera)
+                .withSpheres(spheres)
                 .withGround(plain.ground().withMaterial(material(plain.ground().material(), random, kind)));
         return World.of(scene, new SceneImages(lit.sky(), textures(scene, random)))
                 .snapshot();
