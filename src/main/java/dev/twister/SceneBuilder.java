@@ -16,6 +16,7 @@ import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Track;
 import dev.twister.scene.Triangles;
 import dev.twister.scene.format.SceneWriter;
 import dev.twister.sky.SkyException;
@@ -34,6 +35,7 @@ import java.util.List;
 public final class SceneBuilder {
     private final List<Sphere> spheres = new ArrayList<>();
     private final List<Mesh> meshes = new ArrayList<>();
+    private final List<Track> tracks = new ArrayList<>();
     // The file's name is never read: the sky is here.
     private Scene scene = Scene.under(Path.of("sky"));
     private Skybox sky = uniform(new Rgb(0.8, 0.8, 0.8));
@@ -77,6 +79,12 @@ public final class SceneBuilder {
         return this;
     }
 
+    /** Adds a track, which changes a property in a film: see {@link dev.twister.world.Animation}. */
+    public SceneBuilder track(Track track) {
+        tracks.add(track);
+        return this;
+    }
+
     /**
      * A sky of one color, as linear radiance.
      *
@@ -106,6 +114,11 @@ public final class SceneBuilder {
         return this;
     }
 
+    /** The scene, whose sky has no file; {@code Animation.at} tells what it is at a time of its film. */
+    public Scene scene() {
+        return scene.withSpheres(spheres).withMeshes(meshes).withTracks(tracks);
+    }
+
     /**
      * The world at the start; meshes and textures are read from their files.
      *
@@ -114,7 +127,7 @@ public final class SceneBuilder {
      * @throws MeshException where a mesh cannot be read
      */
     public World world() {
-        Scene whole = scene.withSpheres(spheres).withMeshes(meshes);
+        Scene whole = scene();
         SceneWriter.check(
                 whole.withMeshes(meshes.stream().map(SceneBuilder::inFile).toList()));
         SceneMeshes read = SceneMeshes.read(whole, _ -> {});

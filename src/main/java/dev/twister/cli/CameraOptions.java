@@ -4,6 +4,7 @@ import dev.twister.scene.Camera;
 import dev.twister.scene.CameraView;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -63,6 +64,18 @@ final class CameraOptions {
                 .withAperture(Ranges.check("--aperture", aperture.orElse(camera.aperture()), SceneLimits.APERTURE))
                 .withFocusDistance(Ranges.check(
                         "--focus", focusDistance.orElse(camera.focusDistance()), SceneLimits.FOCUS_DISTANCE));
+    }
+
+    /** The scene without the tracks of what the options say. */
+    Scene fixed(Scene scene) {
+        boolean all = view.isPresent();
+        Scene rest = fixed(scene, "fieldOfView", all || fieldOfView.isPresent());
+        rest = fixed(rest, "aperture", all || aperture.isPresent());
+        return fixed(rest, "focusDistance", all || focusDistance.isPresent());
+    }
+
+    private static Scene fixed(Scene scene, String property, boolean given) {
+        return given ? scene.withoutTrack(TrackTarget.CAMERA, property) : scene;
     }
 
     private static Camera view(Scene scene, String name) {

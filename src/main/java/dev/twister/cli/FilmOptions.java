@@ -5,8 +5,9 @@ import dev.twister.render.BodyMotion;
 import dev.twister.render.ExistingFrames;
 import dev.twister.render.FrameRange;
 import dev.twister.render.Movement;
-import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
+import dev.twister.world.Animation;
 import dev.twister.world.CameraPath;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -40,6 +41,14 @@ final class FilmOptions {
     private Optional<Double> turntable = Optional.empty();
 
     @Option(
+            names = "--time",
+            paramLabel = "SECONDS",
+            description =
+                    "Render one picture at this time of the film of the scene's keyframes. Default: the scene's own"
+                            + " values.")
+    private Optional<Double> time = Optional.empty();
+
+    @Option(
             names = "--skip-existing",
             description = "With frames: keep files that are whole and of the same scene, settings and version; render"
                     + " the others again.")
@@ -63,6 +72,12 @@ final class FilmOptions {
                     "--motion excludes --physics, --fps and --start: the motion file has all of them");
         }
         turntable.ifPresent(seconds -> Ranges.check("--turntable", seconds, 1e-3, MAX_SECONDS));
+        time.ifPresent(seconds -> Ranges.check("--time", seconds, SceneLimits.KEYFRAME_TIME));
+        boolean moved = physics.isOn() || physics.isTimeGiven() || motion.isPresent() || turntable.isPresent();
+        if (time.isPresent() && (moved || frames.isPresent())) {
+            throw new BadInputException("--time excludes --frames, --fps, --start, --physics, --motion and --turntable:"
+                    + " it renders one picture of the scene's keyframes");
+        }
         if (skipExisting && overwrite) {
             throw new BadInputException("--skip-existing and --overwrite exclude each other; give one of them");
         }
@@ -78,16 +93,17 @@ final class FilmOptions {
      *
      * @param film whether the output is a film
      */
-    Optional<FrameRange> frames(Camera camera, MotionOptions physics, Optional<MotionFile> recorded, boolean film)
+    Optional<FrameRange> frames(Scene scene, MotionOptions physics, Optional<MotionFile> recorded, boolean film)
             throws IOException {
-        boolean moves = physics.isOn()
-                || recorded.isPresent()
-                || turntable.isPresent()
-                || !camera.keyframes().isEmpty();
+        if (time.isPresent()) {
+            checkTime(scene, film);
+            return Optional.empty();
+        }
+        boolean moves = physics.isOn() || recorded.isPresent() || turntable.isPresent() || Animation.isIn(scene);
         if (!moves) {
             if (frames.isPresent() || physics.isTimeGiven() || film) {
                 throw new BadInputException((film ? "a film" : frames.isPresent() ? "--frames" : "--fps and --start")
-                        + " requires --physics, --motion, --turntable, or a camera with keyframes: otherwise nothing"
+                        + " requires --physics, --motion, --turntable, or a scene with keyframes: otherwise nothing"
                         + " moves");
             }
             return Optional.empty();
@@ -108,9 +124,8 @@ final class FilmOptions {
         if (turntable.isPresent()) {
             return Optional.of(FrameRange.ofCount((int) Math.max(1, Math.round(turntable.get() * rate))));
         }
-        if (film && !camera.keyframes().isEmpty()) {
-            double seconds = camera.keyframes().getLast().seconds();
-            return Optional.of(FrameRange.ofCount((int) Math.round(seconds * rate) + 1));
+        if (film && Animation.isIn(scene)) {
+            return Optional.of(FrameRange.ofCount((int) Math.round(Animation.length(scene) * rate) + 1));
         }
         if (film || skipExisting) {
             throw new BadInputException((film ? "a film" : "--skip-existing") + " requires --frames");
@@ -125,24 +140,41 @@ final class FilmOptions {
         return FrameRange.of(recorded.firstFrame(), recorded.lastFrame());
     }
 
+    private void checkTime(Scene scene, boolean film) {
+        if (film) {
+            throw new BadInputException(
+                    "--time renders one picture, but --output is a film; give --frames for a part" + " of it");
+        }
+        if (!Animation.isIn(scene)) {
+            throw new BadInputException("--time requires a scene with keyframes: otherwise nothing moves");
+        }
+    }
+
     /**
      * What moves.
      *
-     * @param film whether frames are rendered; in a single picture the camera does not follow its keyframes
+     * @param scene to render, with what options have changed
+     * @param film whether frames are rendered; a single picture does not follow keyframes unless it has a time
      */
-    Movement movement(Scene scene, Camera camera, MotionOptions physics, Optional<MotionFile> recorded, boolean film) {
+    Movement movement(Scene scene, MotionOptions physics, Optional<MotionFile> recorded, boolean film) {
         double secondsPerFrame = physics.secondsPerFrame();
         BodyMotion bodies = physics.isOn()
                 ? new BodyMotion.Simulated(physics.startSeconds(), secondsPerFrame)
                 : recorded.<BodyMotion>map(BodyMotion.Recorded::new).orElse(new BodyMotion.Still());
-        DoubleFunction<Camera> path = turntable
-                .<DoubleFunction<Camera>>map(
-                        turn -> seconds -> CameraPath.onCircle(camera, scene.spheres(), seconds / turn))
-                .orElse(seconds -> CameraPath.at(camera, seconds));
+        DoubleFunction<Scene> still =
+                _ -> time.map(seconds -> Animation.at(scene, seconds)).orElse(scene);
         return new Movement(
                 bodies,
-                film ? path : _ -> camera,
+                film ? seconds -> at(scene, seconds) : still,
                 recorded.map(MotionFile::rate).orElse(1 / secondsPerFrame));
+    }
+
+    private Scene at(Scene scene, double seconds) {
+        return turntable
+                .map(turn -> Animation.tracked(
+                        scene.withCamera(CameraPath.onCircle(scene.camera(), scene.spheres(), seconds / turn)),
+                        seconds))
+                .orElseGet(() -> Animation.at(scene, seconds));
     }
 
     /** Rejects options that apply only to frames. */

@@ -18,7 +18,6 @@ import dev.twister.render.RenderResult;
 import dev.twister.render.Renderer;
 import dev.twister.render.Sampling;
 import dev.twister.render.SceneInputs;
-import dev.twister.scene.Camera;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
@@ -224,21 +223,22 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private RenderOrder order(Scene scene, Path picture, Optional<MotionFile> recorded) throws IOException {
-        Camera from = camera.over(scene);
-        Optional<FrameRange> frames = film.frames(from, motion, recorded, FilmFile.isFilm(picture));
+        Rendering settings = settings(scene.rendering());
+        Scene shown =
+                tone.fixed(camera.fixed(scene.withCamera(camera.over(scene)))).withRendering(settings);
+        Optional<FrameRange> frames = film.frames(shown, motion, recorded, FilmFile.isFilm(picture));
         if (frames.isEmpty()) {
             film.checkSingle();
         }
-        Rendering settings = settings(scene.rendering());
         part.check(settings.height());
         Sampling usual = samples.over(settings.samplesPerPixel());
         return new RenderOrder(
-                scene.withCamera(from).withRendering(settings),
+                shown,
                 Engines.offer(engineId),
                 views.pictures(),
                 new Sampling(part.samplesOr(usual.samples()), usual.noise()),
                 part.part(),
-                film.movement(scene, from, motion, recorded, frames.isPresent()),
+                film.movement(shown, motion, recorded, frames.isPresent()),
                 denoising.finishing(tone.isMetered()),
                 output(picture, frames));
     }

@@ -3,6 +3,7 @@ package dev.twister.cli;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sky;
+import dev.twister.scene.TrackTarget;
 import java.nio.file.Path;
 import java.util.Optional;
 import picocli.CommandLine.Option;
@@ -23,7 +24,9 @@ final class SkyOptions {
 
     Scene over(Scene scene) {
         Sky own = scene.sky();
-        return scene.withSky(new Sky(
+        Scene turned = rotation.isPresent() ? scene.withoutTrack(TrackTarget.SKY, "rotation") : scene;
+        Scene fixed = strength.isPresent() ? turned.withoutTrack(TrackTarget.SKY, "strength") : turned;
+        return fixed.withSky(new Sky(
                 skybox.orElse(own.file()),
                 Ranges.check("--sky-rotation", rotation.orElse(own.rotationDegrees()), SceneLimits.SKY_ROTATION),
                 Ranges.check("--sky-strength", strength.orElse(own.strength()), SceneLimits.SKY_STRENGTH)));

@@ -2,7 +2,9 @@ package dev.twister.cli;
 
 import dev.twister.cli.ExposureConverter.Exposure;
 import dev.twister.scene.Rendering;
+import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
+import dev.twister.scene.TrackTarget;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
@@ -38,6 +40,11 @@ final class ToneOptions {
                 -Rendering.MAX_EXPOSURE_STOPS,
                 Rendering.MAX_EXPOSURE_STOPS);
         return settings.withTone(stops, toneMap.orElse(settings.toneMap()), srgb.orElse(settings.srgb()));
+    }
+
+    /** The scene without the track of the exposure, if the options say it. */
+    Scene fixed(Scene scene) {
+        return exposure.isPresent() ? scene.withoutTrack(TrackTarget.RENDERING, "exposure") : scene;
     }
 
     /** Whether the picture is to tell the exposure. */

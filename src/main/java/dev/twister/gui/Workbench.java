@@ -4,7 +4,9 @@ import dev.twister.gui.bodies.AxisHandles;
 import dev.twister.gui.bodies.BodyActions;
 import dev.twister.gui.bodies.BodyMouse;
 import dev.twister.gui.bodies.SelectionView;
+import dev.twister.gui.camera.DopeSheet;
 import dev.twister.gui.camera.FilmBar;
+import dev.twister.gui.camera.KeyframeMenu;
 import dev.twister.gui.camera.OrbitMouse;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
@@ -85,6 +87,7 @@ final class Workbench implements AutoCloseable {
     private final PixelInspector inspector;
     private final Comparison comparison;
     private final BodyActions bodies;
+    private final KeyframeMenu keyframes;
     private final PathPick paths;
     private final BodyMouse bodyMouse;
     private final MenuView menu;
@@ -125,6 +128,7 @@ final class Workbench implements AutoCloseable {
         comparison = new Comparison(studio, studio.assets()::drawingLoop);
         middle.getChildren().add(1, new SplitView(picture, studio, comparison));
         bodies = new BodyActions(studio, errands);
+        keyframes = new KeyframeMenu(picture, studio);
         inspector = new PixelInspector(picture, studio, errands);
         StackPane.setAlignment(inspector, Pos.TOP_RIGHT);
         paths = new PathPick(studio);
@@ -160,7 +164,7 @@ final class Workbench implements AutoCloseable {
         menu.check(Command.PLAY, studio.film().playingProperty());
         menu.check(Command.FILM, film.visibleProperty());
         root.setTop(menu);
-        root.setBottom(new VBox(film, root.getBottom()));
+        root.setBottom(new VBox(film, new DopeSheet(studio, film.lengthProperty(), film::hold), root.getBottom()));
         root.setRight(panel);
         AxisHandles handles = new AxisHandles(picture, studio, paths);
         SelectionView outline = new SelectionView(picture, studio, handles);
@@ -333,6 +337,8 @@ final class Workbench implements AutoCloseable {
                 .on(Command.PLAY, studio.film()::togglePlaying)
                 .on(Command.SET_KEYFRAME, studio.film()::setKeyframe)
                 .on(Command.DELETE_KEYFRAME, studio.film()::deleteKeyframe)
+                .on(Command.SET_KEYFRAME_OF, keyframes::show)
+                .on(Command.DELETE_KEYFRAME_OF, keyframes::delete)
                 .on(Command.NEXT_KEYFRAME, () -> studio.film().goAlong(true))
                 .on(Command.PREVIOUS_KEYFRAME, () -> studio.film().goAlong(false))
                 .on(Command.FILM, () -> studio.film().shownProperty().set(!film.isVisible()))

@@ -198,8 +198,8 @@ public final class Layout {
      * map is the place of its first texel in {@code images}, divided by {@value #ALIGNMENT}, so that it is exact as a
      * float; its width and height in texels, 0 if there is no such map; and how it is read: the sum of what is beyond
      * its borders across and, times {@value #SAMPLER_DOWN}, down (a constant of {@link Texture}),
-     * {@value #SAMPLER_NEAREST} for the nearest texel instead of bilinear ones, and {@value #SAMPLER_COORDINATES} times
-     * the number of the mesh's texture coordinates.
+     * {@value #SAMPLER_NEAREST} for the nearest texel instead of bilinear ones, {@value #SAMPLER_PACKED} for packed
+     * texels, and {@value #SAMPLER_COORDINATES} times the number of the mesh's texture coordinates.
      */
     public static final int MAP_START = 0;
 
@@ -209,7 +209,8 @@ public final class Layout {
     public static final int MAP_STRIDE = 4;
     public static final int SAMPLER_DOWN = 3;
     public static final int SAMPLER_NEAREST = 9;
-    public static final int SAMPLER_COORDINATES = 18;
+    public static final int SAMPLER_PACKED = 18;
+    public static final int SAMPLER_COORDINATES = 36;
 
     /** The maps that multiply color and emission, roughness (green) and metallic (blue). */
     public static final int MAPS_COLOR = 0;
@@ -269,8 +270,14 @@ public final class Layout {
     /** Meshes and maps start at multiples of it. */
     public static final int ALIGNMENT = 256;
 
-    /** {@code float[] images}, three floats per texel, row by row from the top: the panorama, then the maps. */
+    /**
+     * {@code float[] images}, row by row from the top: the panorama, then the maps. A texel has three floats. One of a
+     * packed map is a single float, red + 256 green + 65536 blue, of codes from 0 to 255; what the codes stand for is
+     * in the {@value #CODES} floats before the map's first texel.
+     */
     public static final int TEXEL_STRIDE = 3;
+
+    public static final int CODES = 256;
 
     /**
      * In {@code bodies}, after the places, a bounding volume hierarchy over the spheres: first the spheres, contiguous

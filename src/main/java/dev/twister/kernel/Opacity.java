@@ -144,7 +144,7 @@ final class Opacity {
             float column = Texture.place(path[Layout.TEXTURE_PLACE], width, across, nearest);
             float line = Texture.place(path[Layout.TEXTURE_PLACE + 1], height, down, nearest);
             int start = Layout.ALIGNMENT * (int) looks[map + Layout.MAP_START];
-            opacity = opacity * Texture.between(start, 1, width, height, column, line, meshes);
+            opacity = opacity * Texture.number(start, width, height, column, line, meshes);
         }
         return Math.min(Math.max(opacity, 0f), 1f);
     }

@@ -76,10 +76,16 @@ public final class Texture {
         return x - KernelMath.floor(x);
     }
 
+    /** 1 if a map's texels are packed, else 0. */
+    public static int isPacked(int sampler) {
+        return sampler / Layout.SAMPLER_PACKED % 2;
+    }
+
     /** One channel (0 red, 1 green, 2 blue) of a map at {@link Layout#TEXEL}. */
     static float channel(float[] path, int map, int channel, float[] looks, float[] images) {
         return color(
                 Layout.ALIGNMENT * (int) looks[map + Layout.MAP_START],
+                isPacked((int) looks[map + Layout.MAP_SAMPLER]),
                 (int) looks[map + Layout.MAP_WIDTH],
                 (int) looks[map + Layout.MAP_HEIGHT],
                 path[Layout.TEXEL],
@@ -92,34 +98,58 @@ public final class Texture {
      * As above, of a map that repeats beyond its borders.
      *
      * @param start place of its first texel
+     * @param packed 1 if its texels are packed, else 0
      * @param column relative to the first texel's center, in [-0.5, width - 0.5]
      * @param row relative to the first texel's center, in [-0.5, height - 0.5]
      */
-    public static float color(int start, int width, int height, float column, float row, int channel, float[] images) {
-        return between(start + channel, Layout.TEXEL_STRIDE, width, height, column, row, images);
+    public static float color(
+            int start, int packed, int width, int height, float column, float row, int channel, float[] images) {
+        int left = leftOf(column, width);
+        int right = rightOf(column, width);
+        int upper = width * leftOf(row, height);
+        int lower = width * rightOf(row, height);
+        return between(
+                texel(start, packed, upper + left, channel, images),
+                texel(start, packed, upper + right, channel, images),
+                texel(start, packed, lower + left, channel, images),
+                texel(start, packed, lower + right, channel, images),
+                column,
+                row);
     }
 
-    /**
-     * As above.
-     *
-     * @param start place of the first texel's number
-     * @param stride distance between texels
-     */
-    static float between(int start, int stride, int width, int height, float column, float row, float[] texels) {
-        int left = KernelMath.floor(column);
-        int top = KernelMath.floor(row);
-        float toRight = column - left;
-        float toBottom = row - top;
-        int wrappedLeft = left < 0 ? width - 1 : Math.min(left, width - 1);
-        int wrappedRight = left + 1 >= width ? 0 : left + 1;
-        int wrappedTop = top < 0 ? height - 1 : Math.min(top, height - 1);
-        int wrappedBottom = top + 1 >= height ? 0 : top + 1;
-        float topLeft = texels[start + stride * (wrappedTop * width + wrappedLeft)];
-        float topRight = texels[start + stride * (wrappedTop * width + wrappedRight)];
-        float bottomLeft = texels[start + stride * (wrappedBottom * width + wrappedLeft)];
-        float bottomRight = texels[start + stride * (wrappedBottom * width + wrappedRight)];
+    /** As above, of a map with one float per texel. */
+    static float number(int start, int width, int height, float column, float row, float[] texels) {
+        int left = leftOf(column, width);
+        int right = rightOf(column, width);
+        int upper = start + width * leftOf(row, height);
+        int lower = start + width * rightOf(row, height);
+        return between(
+                texels[upper + left], texels[upper + right], texels[lower + left], texels[lower + right], column, row);
+    }
+
+    /** One channel of a texel, which is counted from the map's first one. */
+    public static float texel(int start, int packed, int texel, int channel, float[] images) {
+        int place = start + (packed != 0 ? texel : Layout.TEXEL_STRIDE * texel + channel);
+        int code = (int) images[place] >> 8 * channel & 255;
+        return images[packed != 0 ? start - Layout.CODES + code : place];
+    }
+
+    /** The column to the left of a place, or the row above it. */
+    private static int leftOf(float place, int size) {
+        int left = KernelMath.floor(place);
+        return left < 0 ? size - 1 : Math.min(left, size - 1);
+    }
+
+    private static int rightOf(float place, int size) {
+        int right = KernelMath.floor(place) + 1;
+        return right >= size ? 0 : right;
+    }
+
+    private static float between(
+            float topLeft, float topRight, float bottomLeft, float bottomRight, float column, float row) {
+        float toRight = column - KernelMath.floor(column);
         float upper = topLeft + (topRight - topLeft) * toRight;
         float lower = bottomLeft + (bottomRight - bottomLeft) * toRight;
-        return upper + (lower - upper) * toBottom;
+        return upper + (lower - upper) * (row - KernelMath.floor(row));
     }
 }

@@ -13,6 +13,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Shading;
 import dev.twister.scene.Sky;
 import dev.twister.scene.Title;
+import dev.twister.scene.Track;
 import dev.twister.world.RecordParts;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -36,7 +37,9 @@ final class MotionDigest {
             Palette.class,
             Sky.class,
             Shading.class,
-            Rendering.class);
+            Rendering.class,
+            // Physics moves bodies whatever their tracks say.
+            Track.class);
 
     private final MessageDigest digest = sha256();
     private final RecordParts parts = new RecordParts();

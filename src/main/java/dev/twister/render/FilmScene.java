@@ -21,6 +21,7 @@ final class FilmScene {
     private final FilmBodies bodies;
     private final Movement movement;
     private Optional<World> far = Optional.empty();
+    private Optional<Double> metered = Optional.empty();
 
     FilmScene(RenderOrder order, World world, FilmBodies bodies) {
         scene = order.scene();
@@ -29,7 +30,7 @@ final class FilmScene {
         this.bodies = bodies;
     }
 
-    /** The world of the frames near the scene's origin; its settings are those of all frames. */
+    /** The world of the frames near the scene's origin. */
     World world() {
         return world;
     }
@@ -41,12 +42,18 @@ final class FilmScene {
      * @throws IOException if the bodies' positions cannot be read
      */
     FrameInput frame(int number) throws IOException {
-        Camera seen = movement.camera().apply(number / movement.rate());
-        World near = near(seen);
-        near.setSettings(world.settings());
-        near.setCamera(seen);
+        Scene now = movement.scene().apply(number / movement.rate());
+        World near = near(now.camera());
+        near.show(metered.map(stops -> now.withRendering(now.rendering().withExposure(stops)))
+                .orElse(now));
         bodies.place(near, number);
+        near.placeLights();
         return near.snapshot();
+    }
+
+    /** Sets the exposure of all frames, whatever the scene says. */
+    void setExposure(double stops) {
+        metered = Optional.of(stops);
     }
 
     private World near(Camera seen) {

@@ -100,10 +100,8 @@ public final class Renderer {
             int start = order.movement().bodies() instanceof BodyMotion.Recorded recorded
                     ? recorded.file().firstFrame()
                     : 0;
-            World world = shown.world();
-            double stops =
-                    ExposureMeter.stops(shown.frame(start).showing(first)).orElseThrow(BlackPictureException::new);
-            world.setSettings(world.settings().withExposure(stops));
+            shown.setExposure(
+                    ExposureMeter.stops(shown.frame(start).showing(first)).orElseThrow(BlackPictureException::new));
         }
     }
 

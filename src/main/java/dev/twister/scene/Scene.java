@@ -15,6 +15,7 @@ import java.util.stream.Stream;
  * @param materials those that bodies share by name, in the file's order; what a body has of one is in the body
  * @param physics how bodies move, where they do
  * @param pour spheres that come one after the other while bodies move
+ * @param tracks what changes in a film besides the camera's place and what physics moves
  */
 public record Scene(
         Title title,
@@ -28,13 +29,15 @@ public record Scene(
         Shading shading,
         Rendering rendering,
         Physics physics,
-        Optional<Pour> pour) {
+        Optional<Pour> pour,
+        List<Track> tracks) {
     /** The newest version of the file format; the older ones are read too. */
     public static final int VERSION = 3;
 
     public Scene {
         materials = Collections.unmodifiableSequencedMap(new LinkedHashMap<>(materials));
         views = List.copyOf(views);
+        tracks = List.copyOf(tracks);
     }
 
     /** An empty scene: the defaults, no name and no bodies. */
@@ -51,7 +54,8 @@ public record Scene(
                 Shading.DEFAULT,
                 Rendering.DEFAULT,
                 Physics.DEFAULT,
-                Optional.empty());
+                Optional.empty(),
+                List.of());
     }
 
     /** The spheres that are there from the start. */
@@ -80,62 +84,130 @@ public record Scene(
 
     public Scene withTitle(Title newTitle) {
         return new Scene(
-                newTitle, camera, views, lights, materials, ground, bodies, sky, shading, rendering, physics, pour);
+                newTitle, camera, views, lights, materials, ground, bodies, sky, shading, rendering, physics, pour,
+                tracks);
     }
 
     public Scene withCamera(Camera newCamera) {
         return new Scene(
-                title, newCamera, views, lights, materials, ground, bodies, sky, shading, rendering, physics, pour);
+                title, newCamera, views, lights, materials, ground, bodies, sky, shading, rendering, physics, pour,
+                tracks);
     }
 
     public Scene withViews(List<CameraView> newViews) {
         return new Scene(
-                title, camera, newViews, lights, materials, ground, bodies, sky, shading, rendering, physics, pour);
+                title, camera, newViews, lights, materials, ground, bodies, sky, shading, rendering, physics, pour,
+                tracks);
     }
 
     public Scene withLights(Lights newLights) {
         return new Scene(
-                title, camera, views, newLights, materials, ground, bodies, sky, shading, rendering, physics, pour);
+                title, camera, views, newLights, materials, ground, bodies, sky, shading, rendering, physics, pour,
+                tracks);
     }
 
     public Scene withMaterials(SequencedMap<String, Material> newMaterials) {
         return new Scene(
-                title, camera, views, lights, newMaterials, ground, bodies, sky, shading, rendering, physics, pour);
+                title,
+                camera,
+                views,
+                lights,
+                newMaterials,
+                ground,
+                bodies,
+                sky,
+                shading,
+                rendering,
+                physics,
+                pour,
+                tracks);
     }
 
     public Scene withGround(Ground newGround) {
         return new Scene(
-                title, camera, views, lights, materials, newGround, bodies, sky, shading, rendering, physics, pour);
+                title, camera, views, lights, materials, newGround, bodies, sky, shading, rendering, physics, pour,
+                tracks);
     }
 
     public Scene withBodies(SceneBodies newBodies) {
         return new Scene(
-                title, camera, views, lights, materials, ground, newBodies, sky, shading, rendering, physics, pour);
+                title, camera, views, lights, materials, ground, newBodies, sky, shading, rendering, physics, pour,
+                tracks);
     }
 
     public Scene withSky(Sky newSky) {
         return new Scene(
-                title, camera, views, lights, materials, ground, bodies, newSky, shading, rendering, physics, pour);
+                title, camera, views, lights, materials, ground, bodies, newSky, shading, rendering, physics, pour,
+                tracks);
     }
 
     public Scene withShading(Shading newShading) {
         return new Scene(
-                title, camera, views, lights, materials, ground, bodies, sky, newShading, rendering, physics, pour);
+                title,
+                camera,
+                views,
+                lights,
+                materials,
+                ground,
+                bodies,
+                sky,
+                newShading,
+                rendering,
+                physics,
+                pour,
+                tracks);
     }
 
     public Scene withRendering(Rendering newRendering) {
         return new Scene(
-                title, camera, views, lights, materials, ground, bodies, sky, shading, newRendering, physics, pour);
+                title,
+                camera,
+                views,
+                lights,
+                materials,
+                ground,
+                bodies,
+                sky,
+                shading,
+                newRendering,
+                physics,
+                pour,
+                tracks);
     }
 
     public Scene withPhysics(Physics newPhysics) {
         return new Scene(
-                title, camera, views, lights, materials, ground, bodies, sky, shading, rendering, newPhysics, pour);
+                title,
+                camera,
+                views,
+                lights,
+                materials,
+                ground,
+                bodies,
+                sky,
+                shading,
+                rendering,
+                newPhysics,
+                pour,
+                tracks);
     }
 
     public Scene withPour(Pour newPour) {
         Optional<Pour> coming = Optional.of(newPour);
         return new Scene(
-                title, camera, views, lights, materials, ground, bodies, sky, shading, rendering, physics, coming);
+                title, camera, views, lights, materials, ground, bodies, sky, shading, rendering, physics, coming,
+                tracks);
+    }
+
+    public Scene withTracks(List<Track> newTracks) {
+        return new Scene(
+                title, camera, views, lights, materials, ground, bodies, sky, shading, rendering, physics, pour,
+                newTracks);
+    }
+
+    /** Without the track of a property, if there is one. */
+    public Scene withoutTrack(TrackTarget target, String property) {
+        return withTracks(
+                tracks.stream().filter(track -> !track.isOf(target, property)).toList());
     }
 }

@@ -36,4 +36,18 @@ public record SceneBodies(List<Sphere> spheres, List<Mesh> meshes) {
     public SceneBodies withMeshes(List<Mesh> newMeshes) {
         return new SceneBodies(spheres, newMeshes);
     }
+
+    /** With another sphere at an index. */
+    public SceneBodies withSphere(int index, Sphere sphere) {
+        List<Sphere> changed = new ArrayList<>(spheres);
+        changed.set(index, sphere);
+        return withSpheres(changed);
+    }
+
+    /** With another mesh at an index. */
+    public SceneBodies withMesh(int index, Mesh mesh) {
+        List<Mesh> changed = new ArrayList<>(meshes);
+        changed.set(index, mesh);
+        return withMeshes(changed);
+    }
 }

@@ -20,6 +20,10 @@ public final class SceneLimits {
     public static final Range APERTURE = new Range(0, 1e6, "meters");
     public static final Range FOCUS_DISTANCE = LENGTH;
     public static final Range KEYFRAME_TIME = new Range(0, 86_400, "seconds");
+
+    /** Wide enough for every animated property; each has a range of its own. */
+    public static final Range ANIMATED = new Range(-1e9, 1e9);
+
     public static final Range ALBEDO = new Range(0, 1);
     public static final Range RADIANCE = new Range(0, 1e6);
     public static final Range REFLECTIVITY = new Range(0, 128);
@@ -55,6 +59,7 @@ public final class SceneLimits {
     public static final int MAX_MESHES = 10_000;
     public static final int MAX_MATERIALS = 256;
     public static final int MAX_KEYFRAMES = 10_000;
+    public static final int MAX_TRACKS = 10_000;
     public static final int MAX_VIEWS = 1000;
     public static final int MAX_NAME_LENGTH = 200;
     public static final int MAX_DESCRIPTION_LENGTH = 2000;

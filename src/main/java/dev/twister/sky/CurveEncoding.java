@@ -1,5 +1,6 @@
 package dev.twister.sky;
 
+import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
 
 /**
@@ -27,42 +28,22 @@ record CurveEncoding(DoubleUnaryOperator curve, Primaries primaries) implements 
     }
 
     @Override
-    public Rows rows(int width, int channels, int largest) {
+    public ColorRows rows(int width, int channels, int largest) {
         float[] table = table(largest);
         if (channels == 1) {
-            return (samples, linear) -> gray(table, samples, linear);
+            int[] values = new int[3 * width];
+            return new ColorRows(samples -> spread(samples, values), table, Optional.empty());
         }
-        if (primaries.near(Primaries.SRGB)) {
-            return (samples, linear) -> look(table, samples, linear);
-        }
-        double[][] matrix = primaries.toSrgb();
-        return (samples, linear) -> {
-            look(table, samples, linear);
-            convert(matrix, linear);
-        };
+        return new ColorRows(
+                samples -> samples,
+                table,
+                primaries.near(Primaries.SRGB) ? Optional.empty() : Optional.of(primaries.toSrgb()));
     }
 
-    private static void gray(float[] table, int[] samples, float[] linear) {
-        for (int i = 0; i < linear.length; i++) {
-            linear[i] = table[samples[i / 3]];
+    private static int[] spread(int[] gray, int[] values) {
+        for (int i = 0; i < values.length; i++) {
+            values[i] = gray[i / 3];
         }
-    }
-
-    private static void look(float[] table, int[] samples, float[] linear) {
-        for (int i = 0; i < linear.length; i++) {
-            linear[i] = table[samples[i]];
-        }
-    }
-
-    private static void convert(double[][] matrix, float[] linear) {
-        for (int at = 0; at < linear.length; at += 3) {
-            float red = linear[at];
-            float green = linear[at + 1];
-            float blue = linear[at + 2];
-            for (int channel = 0; channel < 3; channel++) {
-                double[] row = matrix[channel];
-                linear[at + channel] = (float) Math.clamp(row[0] * red + row[1] * green + row[2] * blue, 0, 1);
-            }
-        }
+        return values;
     }
 }

@@ -11,28 +11,55 @@ import java.util.Arrays;
 final class LinearImage {
     private LinearImage() {}
 
-    /** @param overBlack whether transparent texels are darker; otherwise the opacity is kept apart */
-    static Skybox skybox(BufferedImage image, ImageMeaning meaning, boolean overBlack) throws IOException {
+    /** A panorama, over black where it is transparent. */
+    static Skybox skybox(BufferedImage image, ImageMeaning meaning) throws IOException {
+        FloatTexels texels = new FloatTexels(order(image, meaning), true);
+        put(image, meaning, rows(image, meaning), texels);
+        return texels.image();
+    }
+
+    /** A texture, of bytes where they hold all that the file says. */
+    static TextureImage texture(BufferedImage image, ImageMeaning meaning) throws IOException {
+        ScanOrder order = order(image, meaning);
+        ColorRows rows = rows(image, meaning);
+        if (rows.fitsBytes()) {
+            PackedTexels texels = new PackedTexels(order);
+            put(image, meaning, rows, texels);
+            return texels.image(rows.table());
+        }
+        FloatTexels texels = new FloatTexels(order, false);
+        put(image, meaning, rows, texels);
+        return texels.image();
+    }
+
+    private static ScanOrder order(BufferedImage image, ImageMeaning meaning) throws IOException {
         int type = image.getColorModel().getColorSpace().getType();
         if (type != ColorSpace.TYPE_RGB && type != ColorSpace.TYPE_GRAY) {
             throw new IOException("an image that is neither RGB nor gray");
         }
-        ScanOrder order = meaning.order(image.getWidth(), image.getHeight());
-        Texels texels = new Texels(order, overBlack);
-        if (meaning.isPalette()) {
-            fromPalette(image, meaning, texels);
-        } else {
-            fromSamples(image, meaning, texels);
-        }
-        return new Skybox(order.width(), order.height(), texels.radiance, texels.opacity());
+        return meaning.order(image.getWidth(), image.getHeight());
     }
 
-    private static void fromPalette(BufferedImage image, ImageMeaning meaning, Texels texels) {
+    private static ColorRows rows(BufferedImage image, ImageMeaning meaning) throws IOException {
+        int width = image.getWidth();
+        return meaning.isPalette()
+                ? meaning.colors().rows(width, 3, 255)
+                : meaning.colors().rows(width, image.getRaster().getNumBands() < 3 ? 1 : 3, largest(image.getRaster()));
+    }
+
+    private static void put(BufferedImage image, ImageMeaning meaning, ColorRows rows, Texels texels) {
+        if (meaning.isPalette()) {
+            fromPalette(image, rows, texels);
+        } else {
+            fromSamples(image.getRaster(), meaning, rows, texels);
+        }
+    }
+
+    private static void fromPalette(BufferedImage image, ColorRows rows, Texels texels) {
         int width = image.getWidth();
         int[] row = new int[width];
         int[] samples = new int[3 * width];
         float[] opacity = new float[width];
-        ColorEncoding.Rows rows = meaning.colors().rows(width, 3, 255);
         for (int y = 0; y < image.getHeight(); y++) {
             image.getRGB(0, y, width, 1, row, 0, width);
             for (int x = 0; x < width; x++) {
@@ -45,12 +72,8 @@ final class LinearImage {
         }
     }
 
-    /**
-     * Reads samples at their own depth. Not {@code getRGB}: it cuts 16 bits to 8, and takes gray for linear where the
-     * file means sRGB.
-     */
-    private static void fromSamples(BufferedImage image, ImageMeaning meaning, Texels texels) throws IOException {
-        Raster raster = image.getRaster();
+    /** The largest sample. */
+    private static int largest(Raster raster) throws IOException {
         SampleModel model = raster.getSampleModel();
         int bands = model.getNumBands();
         int bits = model.getSampleSize(0);
@@ -60,16 +83,24 @@ final class LinearImage {
                         + " bits; 1 to 4 equal ones of up to 16 bits are read");
             }
         }
-        int largest = (1 << bits) - 1;
+        return (1 << bits) - 1;
+    }
+
+    /**
+     * Reads samples at their own depth. Not {@code getRGB}: it cuts 16 bits to 8, and takes gray for linear where the
+     * file means sRGB.
+     */
+    private static void fromSamples(Raster raster, ImageMeaning meaning, ColorRows rows, Texels texels) {
+        int bands = raster.getNumBands();
+        int largest = (1 << raster.getSampleModel().getSampleSize(0)) - 1;
         boolean alpha = bands == 2 || bands == 4;
         int channels = bands < 3 ? 1 : 3;
-        int width = image.getWidth();
+        int width = raster.getWidth();
         int[] row = new int[bands * width];
         int[] samples = alpha ? new int[channels * width] : row;
         float[] opacity = new float[width];
         Arrays.fill(opacity, 1);
-        ColorEncoding.Rows rows = meaning.colors().rows(width, channels, largest);
-        for (int y = 0; y < image.getHeight(); y++) {
+        for (int y = 0; y < raster.getHeight(); y++) {
             raster.getPixels(0, y, width, 1, row);
             for (int x = 0; alpha && x < width; x++) {
                 System.arraycopy(row, bands * x, samples, channels * x, channels);
@@ -83,14 +114,51 @@ final class LinearImage {
     }
 
     /** The upright picture, filled scanline by scanline. */
-    private static final class Texels {
+    private interface Texels {
+        void put(int scanline, ColorRows rows, int[] samples, float[] opacity);
+    }
+
+    /** Eight bits per channel. */
+    private static final class PackedTexels implements Texels {
+        private final ScanOrder order;
+        private final int[] texels;
+        private boolean opaque = true;
+
+        PackedTexels(ScanOrder order) {
+            this.order = order;
+            this.texels = new int[order.width() * order.height()];
+        }
+
+        @Override
+        public void put(int scanline, ColorRows rows, int[] samples, float[] opacity) {
+            int[] values = rows.recoding().values(samples);
+            int target = order.texel(scanline, 0);
+            for (int place = 0; place < opacity.length; place++) {
+                opaque &= opacity[place] == 1;
+                texels[target] = Math.round(255 * opacity[place]) << 24
+                        | values[3 * place + 2] << 16
+                        | values[3 * place + 1] << 8
+                        | values[3 * place];
+                target += order.step();
+            }
+        }
+
+        PackedImage image(float[] table) {
+            float[] linear = Arrays.copyOf(table, PackedImage.VALUES);
+            return new PackedImage(order.width(), order.height(), texels, linear, opaque);
+        }
+    }
+
+    /** Floats, as 16 bits and other primaries than sRGB need them. */
+    private static final class FloatTexels implements Texels {
         private final ScanOrder order;
         private final float[] linear;
         private final float[] radiance;
         private final boolean overBlack;
         private float[] kept = {};
 
-        Texels(ScanOrder order, boolean overBlack) {
+        /** @param overBlack whether transparent texels are darker; otherwise the opacity is kept apart */
+        FloatTexels(ScanOrder order, boolean overBlack) {
             this.order = order;
             this.overBlack = overBlack;
             this.linear = new float[3 * order.scanlineLength()];
@@ -105,12 +173,8 @@ final class LinearImage {
             kept[texel] = opacity;
         }
 
-        /** Of none if all texels are opaque. */
-        float[] opacity() {
-            return kept;
-        }
-
-        void put(int scanline, ColorEncoding.Rows rows, int[] samples, float[] opacity) {
+        @Override
+        public void put(int scanline, ColorRows rows, int[] samples, float[] opacity) {
             rows.convert(samples, linear);
             int target = order.texel(scanline, 0);
             for (int place = 0; place < opacity.length; place++) {
@@ -123,6 +187,10 @@ final class LinearImage {
                 }
                 target += order.step();
             }
+        }
+
+        Skybox image() {
+            return new Skybox(order.width(), order.height(), radiance, kept);
         }
     }
 }

@@ -13,22 +13,26 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 
-/** Reads PNG and JPEG panoramas through ImageIO. */
+/** Reads PNG and JPEG images through ImageIO. */
 final class OrdinaryImageReader {
     /** What a decoder is asked for. */
     private interface Step<T> {
         T run() throws IOException;
     }
 
+    /** What a decoded image becomes. */
+    interface Conversion<T> {
+        T of(BufferedImage image, ImageMeaning meaning) throws IOException;
+    }
+
     private OrdinaryImageReader() {}
 
     /**
-     * Reads a panorama.
+     * Reads an image.
      *
-     * @param overBlack whether transparent texels are darker; otherwise the opacity is kept apart
      * @param warnings told of what the file says and is not used
      */
-    static Skybox read(FileBytes file, OrdinaryImageFormat format, boolean overBlack, Consumer<String> warnings)
+    static <T> T read(FileBytes file, OrdinaryImageFormat format, Conversion<T> conversion, Consumer<String> warnings)
             throws IOException {
         EncodedImage encoded = format.open(file, warnings);
         Iterator<ImageReader> readers = ImageIO.getImageReadersByFormatName(format.name());
@@ -39,7 +43,7 @@ final class OrdinaryImageReader {
         ImageMeaning meaning = encoded.meaning();
         try (ImageInputStream stream = new MemoryCacheImageInputStream(encoded.decodable())) {
             reader.setInput(stream, true, true);
-            return LinearImage.skybox(decode(reader, format, encoded, meaning), meaning, overBlack);
+            return conversion.of(decode(reader, format, encoded, meaning), meaning);
         } finally {
             reader.dispose();
         }

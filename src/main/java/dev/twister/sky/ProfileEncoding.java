@@ -10,6 +10,7 @@ import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 import java.io.IOException;
+import java.util.Optional;
 
 /** Samples of which an ICC profile says what they are. */
 final class ProfileEncoding implements ColorEncoding {
@@ -53,7 +54,7 @@ final class ProfileEncoding implements ColorEncoding {
     }
 
     @Override
-    public Rows rows(int width, int channels, int largest) {
+    public ColorRows rows(int width, int channels, int largest) {
         ColorConvertOp conversion = new ColorConvertOp(new ICC_Profile[] {profile, SRGB}, null);
         // Samples of 8 bits are converted to 8 bits, as the JPEG decoder does: far faster than at 16 bits.
         int converted = largest > LARGEST_BYTE ? LARGEST : LARGEST_BYTE;
@@ -61,19 +62,27 @@ final class ProfileEncoding implements ColorEncoding {
         WritableRaster to = raster(width, 3, converted);
         int[] encoded = new int[3 * width];
         int[] scaled = new int[channels * width];
-        float[] table = CurveEncoding.SRGB.table(converted);
-        return (samples, linear) -> {
+        ColorRows.Recoding recoding = samples -> {
             for (int i = 0; i < scaled.length; i++) {
                 scaled[i] = samples[i] * (converted / largest);
             }
             from.setPixels(0, 0, width, 1, scaled);
             conversion.filter(from, to);
             to.getPixels(0, 0, width, 1, encoded);
-            for (int i = 0; i < linear.length; i++) {
-                // Conversion rounds each channel on its own, but gray stays gray.
-                linear[i] = table[encoded[channels == 1 ? i / 3 * 3 + 1 : i]];
+            if (channels == 1) {
+                keepGray(encoded);
             }
+            return encoded;
         };
+        return new ColorRows(recoding, CurveEncoding.SRGB.table(converted), Optional.empty());
+    }
+
+    /** Conversion rounds each channel on its own, but gray stays gray. */
+    private static void keepGray(int[] encoded) {
+        for (int i = 0; i < encoded.length; i += 3) {
+            encoded[i] = encoded[i + 1];
+            encoded[i + 2] = encoded[i + 1];
+        }
     }
 
     private void checkKind(int channels) throws IOException {

@@ -11,7 +11,7 @@ package dev.twister.sky;
  */
 @SuppressWarnings(
         "ArrayRecordComponent") // a snapshot that the kernel reads in place; comparing skyboxes is no one's need
-public record Skybox(int width, int height, float[] radiance, float[] opacity) {
+public record Skybox(int width, int height, float[] radiance, float[] opacity) implements TextureImage {
     private static final float[] OPAQUE = {};
 
     public Skybox {
@@ -24,5 +24,10 @@ public record Skybox(int width, int height, float[] radiance, float[] opacity) {
     /** An opaque one. */
     public Skybox(int width, int height, float[] radiance) {
         this(width, height, radiance, OPAQUE);
+    }
+
+    @Override
+    public boolean isOpaque() {
+        return opacity.length == 0;
     }
 }

@@ -16,8 +16,8 @@ import java.util.function.Consumer;
  */
 public final class SkyboxReader {
     /** What a file's bytes are made a picture by. */
-    interface Decoder {
-        Skybox decode(FileBytes file, Consumer<String> warnings) throws IOException;
+    interface Decoder<T> {
+        T decode(FileBytes file, Consumer<String> warnings) throws IOException;
     }
 
     private SkyboxReader() {}
@@ -45,7 +45,7 @@ public final class SkyboxReader {
         return read(file, warnings, SkyboxReader::decode);
     }
 
-    static Skybox read(Path file, Consumer<String> warnings, Decoder decoder) {
+    static <T> T read(Path file, Consumer<String> warnings, Decoder<T> decoder) {
         try {
             return readFile(file, warning -> warnings.accept(file + ": " + warning), decoder);
         } catch (AccessDeniedException denied) {
@@ -55,7 +55,7 @@ public final class SkyboxReader {
         }
     }
 
-    private static Skybox readFile(Path file, Consumer<String> warnings, Decoder decoder) throws IOException {
+    private static <T> T readFile(Path file, Consumer<String> warnings, Decoder<T> decoder) throws IOException {
         InputFile.check(file);
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
             long length = channel.size();
@@ -70,7 +70,7 @@ public final class SkyboxReader {
         if (RadianceHeader.startsIn(file)) {
             return RadianceReader.read(file);
         }
-        Optional<Skybox> ordinary = decodeOrdinary(file, true, warnings);
+        Optional<Skybox> ordinary = decodeOrdinary(file, LinearImage::skybox, warnings);
         if (ordinary.isEmpty()) {
             throw unknown(file, "panorama", "Radiance, PNG and JPEG");
         }
@@ -78,11 +78,12 @@ public final class SkyboxReader {
     }
 
     /** The picture of a PNG or JPEG; empty where the first bytes are of neither. */
-    static Optional<Skybox> decodeOrdinary(FileBytes file, boolean overBlack, Consumer<String> warnings)
+    static <T> Optional<T> decodeOrdinary(
+            FileBytes file, OrdinaryImageReader.Conversion<T> conversion, Consumer<String> warnings)
             throws IOException {
         for (OrdinaryImageFormat format : OrdinaryImageFormat.values()) {
             if (format.startsIn(file)) {
-                return Optional.of(OrdinaryImageReader.read(file, format, overBlack, warnings));
+                return Optional.of(OrdinaryImageReader.read(file, format, conversion, warnings));
             }
         }
         return Optional.empty();

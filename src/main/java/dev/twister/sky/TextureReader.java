@@ -18,7 +18,7 @@ public final class TextureReader {
      * @return linear values in [0, 1], rows from the top
      * @throws SkyException where there is no such file, it is not a picture of these kinds, is damaged or too large
      */
-    public static Skybox read(Path file, Consumer<String> warnings) {
+    public static TextureImage read(Path file, Consumer<String> warnings) {
         return SkyboxReader.read(file, warnings, TextureReader::decode);
     }
 
@@ -27,7 +27,7 @@ public final class TextureReader {
      *
      * @param name what messages call it
      */
-    public static Skybox read(Path name, byte[] file, Consumer<String> warnings) {
+    public static TextureImage read(Path name, byte[] file, Consumer<String> warnings) {
         try {
             return decode(new FileBytes(file), warning -> warnings.accept(name + ": " + warning));
         } catch (IOException problem) {
@@ -35,11 +35,11 @@ public final class TextureReader {
         }
     }
 
-    private static Skybox decode(FileBytes file, Consumer<String> warnings) throws IOException {
+    private static TextureImage decode(FileBytes file, Consumer<String> warnings) throws IOException {
         if (RadianceHeader.startsIn(file)) {
             throw new IOException("a Radiance picture, but a texture must be PNG or JPEG");
         }
-        Optional<Skybox> ordinary = SkyboxReader.decodeOrdinary(file, false, warnings);
+        Optional<TextureImage> ordinary = SkyboxReader.decodeOrdinary(file, LinearImage::texture, warnings);
         if (ordinary.isEmpty()) {
             throw SkyboxReader.unknown(file, "texture", "PNG and JPEG");
         }

@@ -44,9 +44,17 @@ final class EmissionMeans {
         int height = (int) looks[map + Layout.MAP_HEIGHT];
         int count = width * height;
         double[] mean = new double[Layout.TEXEL_STRIDE];
+        boolean packed = (int) looks[map + Layout.MAP_SAMPLER] / Layout.SAMPLER_PACKED % 2 == 1;
         for (int i = 0; i < Layout.TEXEL_STRIDE * count; i++) {
-            mean[i % Layout.TEXEL_STRIDE] += images[start + i] / (double) count;
+            int channel = i % Layout.TEXEL_STRIDE;
+            mean[channel] += images[packed ? code(start, i) : start + i] / (double) count;
         }
         return mean;
+    }
+
+    /** The place of what a packed texel's code stands for. */
+    private int code(int start, int i) {
+        int texel = (int) images[start + i / Layout.TEXEL_STRIDE];
+        return start - Layout.CODES + (texel >> 8 * (i % Layout.TEXEL_STRIDE) & 255);
     }
 }

@@ -88,12 +88,12 @@ final class LookTable {
     }
 
     float[] texels() {
-        return texels.images();
+        return texels.images().floats();
     }
 
     /** The meshes, with the opacity maps behind them. */
     float[] meshes() {
-        return texels.meshes();
+        return texels.meshes().floats();
     }
 
     /** What the materials of all bodies, present or not, need of the kernel: bits of {@link Variant}. */

@@ -83,7 +83,7 @@ final class MapTable {
                 .or(() -> material.texture()
                         .filter(file -> {
                             checkRead(file);
-                            return images.textureByFile().get(file).opacity().length > 0;
+                            return !images.textureByFile().get(file).isOpaque();
                         })
                         .map(file -> new ImageMap(file, material.maps().texture(), 1)));
     }
@@ -187,7 +187,8 @@ final class MapTable {
 
     @SuppressWarnings("EnumOrdinal") // a test checks that the kernel's numbers match the constants' order
     private void write(float[] looks, int at, ImageMap map, MapUse use, MapTexels texels) {
-        int start = texels.start(use) / Layout.ALIGNMENT;
+        MapTexels.Place place = texels.place(use);
+        int start = place.start() / Layout.ALIGNMENT;
         looks[at + Layout.MAP_START] = start;
         looks[at + Layout.MAP_WIDTH] = use.image(images).width();
         looks[at + Layout.MAP_HEIGHT] = use.image(images).height();
@@ -195,6 +196,7 @@ final class MapTable {
         looks[at + Layout.MAP_SAMPLER] = sampler.across().ordinal()
                 + Layout.SAMPLER_DOWN * sampler.down().ordinal()
                 + (sampler.nearest() ? Layout.SAMPLER_NEAREST : 0)
+                + (place.packed() ? Layout.SAMPLER_PACKED : 0)
                 + Layout.SAMPLER_COORDINATES * sampler.coordinates();
     }
 }

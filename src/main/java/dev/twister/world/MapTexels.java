@@ -1,9 +1,10 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Layout;
-import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -17,12 +18,22 @@ import java.util.Optional;
 record MapTexels(
         Optional<SceneImages> source,
         List<MapUse> uses,
-        float[] images,
+        Joined images,
         List<MapUse> opacities,
         float[] plainMeshes,
-        float[] meshes) {
-    static final MapTexels NONE =
-            new MapTexels(Optional.empty(), List.of(), new float[0], List.of(), new float[0], new float[0]);
+        Joined meshes) {
+    static final MapTexels NONE = new MapTexels(
+            Optional.empty(), List.of(), Joined.of(new float[0]), List.of(), new float[0], Joined.of(new float[0]));
+
+    /** Where a map is: the place of its first texel, and whether its texels are packed. */
+    record Place(int start, boolean packed) {}
+
+    /** An array with maps at its end. */
+    record Joined(float[] floats, Map<MapUse, Place> places) {
+        static Joined of(float[] floats) {
+            return new Joined(floats, Map.of());
+        }
+    }
 
     /**
      * The same arrays, as far as they hold these maps.
@@ -45,43 +56,35 @@ record MapTexels(
                         : joined(newMeshes, newSource, newOpacities));
     }
 
-    private static float[] joined(float[] first, SceneImages source, List<MapUse> uses) {
+    private static Joined joined(float[] first, SceneImages source, List<MapUse> uses) {
         if (uses.isEmpty()) {
-            return first;
+            return Joined.of(first);
         }
-        List<Long> starts = starts(first.length, source, uses);
-        MapUse last = uses.getLast();
-        long length = starts.getLast() + last.length(source);
-        if (length > Integer.MAX_VALUE - Long.BYTES) {
-            throw new IllegalArgumentException("sky and textures have " + length / Layout.TEXEL_STRIDE
-                    + " texels together; at most " + Integer.MAX_VALUE / Layout.TEXEL_STRIDE + " fit");
+        List<MapContent> contents =
+                uses.stream().map(use -> MapContent.of(use, source)).toList();
+        Map<MapUse, Place> places = new HashMap<>();
+        long end = first.length;
+        for (int i = 0; i < contents.size(); i++) {
+            MapContent content = contents.get(i);
+            long start = Math.ceilDiv(end + content.codes().length, (long) Layout.ALIGNMENT) * Layout.ALIGNMENT;
+            end = start + content.texels();
+            if (end > Integer.MAX_VALUE - Long.BYTES) {
+                throw new IllegalArgumentException(
+                        "sky and textures take " + end + " floats together; at most " + Integer.MAX_VALUE + " fit");
+            }
+            places.put(uses.get(i), new Place((int) start, content.isPacked()));
         }
-        float[] joined = Arrays.copyOf(first, (int) length);
-        for (int i = 0; i < uses.size(); i++) {
-            float[] texels = MapContent.of(uses.get(i), source);
-            System.arraycopy(texels, 0, joined, starts.get(i).intValue(), texels.length);
+        float[] joined = Arrays.copyOf(first, (int) end);
+        for (int i = 0; i < contents.size(); i++) {
+            contents.get(i).write(joined, places.get(uses.get(i)).start());
         }
-        return joined;
+        return new Joined(joined, Map.copyOf(places));
     }
 
-    private static List<Long> starts(int firstLength, SceneImages source, List<MapUse> uses) {
-        List<Long> starts = new ArrayList<>();
-        long end = firstLength;
-        for (MapUse use : uses) {
-            long start = (end + Layout.ALIGNMENT - 1) / Layout.ALIGNMENT * Layout.ALIGNMENT;
-            starts.add(start);
-            end = start + use.length(source);
-        }
-        return starts;
-    }
-
-    /** Place of a map's first texel in its array. */
-    int start(MapUse use) {
-        SceneImages from = source.orElseThrow();
-        int image = uses.indexOf(use);
-        return (image >= 0
-                        ? starts(from.sky().radiance().length, from, uses).get(image)
-                        : starts(plainMeshes.length, from, opacities).get(opacities.indexOf(use)))
-                .intValue();
+    /** Where a map is in its array. */
+    Place place(MapUse use) {
+        return images.places().containsKey(use)
+                ? images.places().get(use)
+                : meshes.places().get(use);
     }
 }

@@ -1,7 +1,6 @@
 package dev.twister.world;
 
-import dev.twister.kernel.Layout;
-import dev.twister.sky.Skybox;
+import dev.twister.sky.TextureImage;
 import java.nio.file.Path;
 
 /** A file of an image, and what is taken from it. */
@@ -20,14 +19,7 @@ record MapUse(Path file, Content content) {
         RED
     }
 
-    Skybox image(SceneImages images) {
+    TextureImage image(SceneImages images) {
         return images.textureByFile().get(file);
-    }
-
-    /** Number of floats. */
-    long length(SceneImages images) {
-        Skybox image = image(images);
-        boolean single = content == Content.ALPHA || content == Content.RED;
-        return (single ? 1L : Layout.TEXEL_STRIDE) * image.width() * image.height();
     }
 }

@@ -5,6 +5,7 @@ import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
+import dev.twister.sky.TextureImage;
 import dev.twister.sky.TextureReader;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -17,7 +18,7 @@ import java.util.function.Function;
  *
  * @param textureByFile textures by the path in their material
  */
-public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
+public record SceneImages(Skybox sky, Map<Path, TextureImage> textureByFile) {
     /** A texture that leaves colors unchanged. */
     public static final Skybox WHITE = new Skybox(1, 1, new float[] {1, 1, 1});
 
@@ -72,17 +73,17 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
      * @param warnings receives one line for each texture of a mesh's own material that cannot be read
      * @throws SkyException if the reader does for a texture that the scene file names; the message includes where
      */
-    public static Map<Path, Skybox> textures(
-            Scene scene, SceneMeshes meshes, Function<Path, Skybox> reader, Consumer<String> warnings) {
-        Map<Path, Skybox> textures = new HashMap<>(textures(scene, reader));
+    public static Map<Path, TextureImage> textures(
+            Scene scene, SceneMeshes meshes, Function<Path, TextureImage> reader, Consumer<String> warnings) {
+        Map<Path, TextureImage> textures = new HashMap<>(textures(scene, reader));
         meshes.textures(scene)
                 .forEach((file, place) ->
                         textures.computeIfAbsent(file, texture -> textureOrWhite(texture, place, reader, warnings)));
         return textures;
     }
 
-    private static Skybox textureOrWhite(
-            Path file, String place, Function<Path, Skybox> reader, Consumer<String> warnings) {
+    private static TextureImage textureOrWhite(
+            Path file, String place, Function<Path, TextureImage> reader, Consumer<String> warnings) {
         try {
             return texture(file, place, reader);
         } catch (SkyException problem) {
@@ -97,13 +98,13 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
      * @param reader reads a texture, like {@link TextureReader#read}
      * @throws SkyException if the reader does; the message includes where the scene file refers to the texture
      */
-    public static Map<Path, Skybox> textures(Scene scene, Function<Path, Skybox> reader) {
-        Map<Path, Skybox> textures = new HashMap<>();
+    public static Map<Path, TextureImage> textures(Scene scene, Function<Path, TextureImage> reader) {
+        Map<Path, TextureImage> textures = new HashMap<>();
         TexturePlaces.of(scene).forEach((file, place) -> textures.put(file, texture(file, place, reader)));
         return textures;
     }
 
-    private static Skybox texture(Path file, String place, Function<Path, Skybox> reader) {
+    private static TextureImage texture(Path file, String place, Function<Path, TextureImage> reader) {
         try {
             return reader.apply(file);
         } catch (SkyException problem) {

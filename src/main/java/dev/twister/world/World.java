@@ -248,6 +248,11 @@ public final class World {
         moved = true;
     }
 
+    /** Puts the lights where the scene has them, after {@link #setBodyPositions} has put the first elsewhere. */
+    public void placeLights() {
+        places.put(scene.lights());
+    }
+
     /**
      * The current state as an engine's input for the whole picture. If spheres have changed, moved or been poured since
      * the last snapshot, the hierarchy over them is rebuilt.

@@ -251,6 +251,48 @@ class FilmTest {
                 .isNotEqualTo(Files.readAllBytes(folder.resolve("k-0002.png")));
     }
 
+    @Test
+    void aPictureAtATimeIsTheFrameOfThatTime() throws IOException {
+        renderScene("juggling", "t-####.png", "--fps", "2", "--frames", "0-1");
+        Outcome outcome = renderScene("juggling", "at.png", "--time", "0.5");
+
+        assertThat(outcome.err()).isEmpty();
+        assertThat(folder.resolve("at.png")).hasSameBinaryContentAs(folder.resolve("t-0001.png"));
+        assertThat(Files.readAllBytes(folder.resolve("t-0000.png")))
+                .isNotEqualTo(Files.readAllBytes(folder.resolve("at.png")));
+    }
+
+    @Test
+    void optionsReplaceTracks() throws IOException {
+        Path scene = Files.writeString(
+                folder.resolve("dim.json"),
+                Files.readString(Path.of("scenes", "teaching.json"))
+                        .replace("\"version\": 1", "\"version\": 3")
+                        .replace(
+                                "  \"spheres\"",
+                                "  \"tracks\": [{\"target\": \"rendering\", \"property\": \"exposure\","
+                                        + " \"keyframes\": [{\"time\": 0, \"value\": -20}]},"
+                                        + "{\"target\": \"sky\", \"property\": \"strength\","
+                                        + " \"keyframes\": [{\"time\": 0, \"value\": 1}]}],\n  \"spheres\"")
+                        .replace(
+                                "../skyboxes",
+                                new File("skyboxes").getAbsolutePath().replace('\\', '/')));
+
+        renderScene(scene.toString(), "own.png", "--exposure", "1", "--frames", "0-0");
+        renderScene("teaching", "still.png", "--exposure", "1");
+
+        assertThat(folder.resolve("own-0000.png")).hasSameBinaryContentAs(folder.resolve("still.png"));
+    }
+
+    @Test
+    void aTimeNeedsKeyframes() {
+        Path file = folder.resolve("x.png");
+
+        assertThat(Outcome.of("render", "teaching", "-o", file.toString(), "--time", "1")
+                        .err())
+                .startsWith("twister: --time requires a scene with keyframes");
+    }
+
     private Path frame(int number) {
         return folder.resolve("f-000" + number + ".png");
     }

@@ -161,7 +161,7 @@ class RenderCommandTest {
         Outcome outcome = render("benchmark", folder.resolve("picture.png"), "--frames", "3");
         assertThat(outcome.exitCode()).isEqualTo(2);
         assertThat(outcome.err())
-                .startsWith("twister: --frames requires --physics, --motion, --turntable, or a camera with keyframes");
+                .startsWith("twister: --frames requires --physics, --motion, --turntable, or a scene with keyframes");
     }
 
     @Test

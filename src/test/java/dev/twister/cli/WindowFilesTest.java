@@ -65,7 +65,7 @@ class WindowFilesTest {
 
     @Test
     void filmsOfKeyframes() {
-        Path file = film(withPath(scene("benchmark")), FilmMotion.CAMERA, FrameRange.of(0, 20), "a.apng");
+        Path file = film(withPath(scene("benchmark")), FilmMotion.KEYFRAMES, FrameRange.of(0, 20), "a.apng");
 
         // Without --frames the command renders the whole path, which is 2 s long.
         assertThat(file).hasSameBinaryContentAs(command("a.apng", "--fps", "10"));
@@ -84,7 +84,7 @@ class WindowFilesTest {
 
     @Test
     void framesOfBoth() {
-        Path file = film(withPath(scene("teaching")), FilmMotion.CAMERA_AND_PHYSICS, FrameRange.of(3, 3), "f.exr");
+        Path file = film(withPath(scene("teaching")), FilmMotion.KEYFRAMES_AND_PHYSICS, FrameRange.of(3, 3), "f.exr");
 
         Path same = command("f.exr", "--physics", "--fps", "10", "--frames", "3-3");
         assertThat(file).hasSameBinaryContentAs(same.resolveSibling("f-0003.exr"));

@@ -6,11 +6,14 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.gui.camera.FilmBar;
 import dev.twister.gui.camera.KeyframeMarks;
 import dev.twister.gui.controls.Command;
+import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.TrackEdits;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Track;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.format.SceneWriter;
@@ -23,13 +26,14 @@ import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
+import javafx.scene.layout.Pane;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The camera's keyframes set, listed, moved, deleted and played by hand. */
+/** Keyframes set, listed, moved, deleted and played by hand. */
 class FilmTest {
     private static WindowDriver driver;
 
@@ -203,7 +207,7 @@ class FilmTest {
     @Test
     void theFilmPlaysFromItsBeginningToItsEnd() {
         driver.type(Command.PLAY.keys());
-        assertThat(driver.notice()).isEqualTo("Set two keyframes or more to play the camera's path");
+        assertThat(driver.notice()).isEqualTo("Set two keyframes or more to play them");
         setTwo();
         driver.type(Command.PLAY.keys());
         driver.await(() -> seconds() > 1);
@@ -237,5 +241,31 @@ class FilmTest {
         assertThat(camera()).isEqualTo(film.camera());
         assertThat(camera().keyframes()).hasSize(2);
         assertThat(WindowDriver.call(bar()::isVisible)).isTrue();
+    }
+
+    @Test
+    void aKeyframeOfABodyIsSetByItsMenuAndDraggedInItsRow() {
+        driver.run(() -> driver.studio.selection().select(BodyNumber.ofSphere(0)));
+        driver.type(Command.SET_KEYFRAME_OF.keys());
+        driver.type(KeyCode.ENTER);
+        assertThat(WindowDriver.call(() -> driver.studio.scene().tracks()))
+                .extracting(Track::property)
+                .containsExactly("position", "radius");
+        driver.pulse();
+        Pane lane = driver.find("#lane-spheres-0", Pane.class);
+        var place = WindowDriver.call(() -> lane.localToScreen(lane.getBoundsInLocal()));
+        double y = place.getCenterY();
+        driver.withRobot(hand -> hand.mouseMove(place.getMinX() + 8, y));
+        driver.withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
+        driver.withRobot(hand -> hand.mouseMove(place.getMinX() + 30, y));
+        driver.withRobot(hand -> hand.mouseMove(place.getCenterX(), y));
+        driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+
+        assertThat(WindowDriver.call(() -> TrackEdits.times(driver.studio.scene())))
+                .singleElement()
+                .satisfies(time -> assertThat(time).isCloseTo(5, within(0.5)));
+        driver.run(driver.studio::undo);
+        assertThat(WindowDriver.call(() -> TrackEdits.times(driver.studio.scene())))
+                .containsExactly(0.0);
     }
 }

@@ -22,6 +22,18 @@ class TextureTest {
         assertThat(texel(Layout.PLANE, new float[] {0, 1, 0})).isEqualTo(0.75f);
     }
 
+    @Test
+    void aPackedTexelHasACodePerChannel() {
+        float[] images = new float[Layout.CODES + 2];
+        images[17] = 0.25f;
+        images[255] = 0.75f;
+        images[Layout.CODES + 1] = 17 + 256 * 255;
+
+        assertThat(Texture.texel(Layout.CODES, 1, 1, 0, images)).isEqualTo(0.25f);
+        assertThat(Texture.texel(Layout.CODES, 1, 1, 1, images)).isEqualTo(0.75f);
+        assertThat(Texture.texel(Layout.CODES, 1, 1, 2, images)).isZero();
+    }
+
     /** With {@link Texture#REPEAT}, {@link Texture#CLAMP} and {@link Texture#MIRROR}. */
     @ParameterizedTest
     @CsvSource({

@@ -37,7 +37,7 @@ class MotionDigestTest {
 
         assertThat(SceneChanges.of(FullScene.SCENE).entrySet())
                 .filteredOn(change -> change.getKey()
-                        .matches("(title|camera|views|sky|shading|rendering|materials|.*strength|.*share).*"))
+                        .matches("(title|camera|views|sky|shading|rendering|materials|tracks|.*strength|.*share).*"))
                 .isNotEmpty()
                 .allSatisfy(
                         change -> assertThat(MotionDigest.of(change.getValue())).isEqualTo(digest));

@@ -4,6 +4,7 @@ import dev.twister.scene.Alpha;
 import dev.twister.scene.ImageMap;
 import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
+import dev.twister.sky.FloatImages;
 import dev.twister.sky.Skybox;
 import dev.twister.world.SceneImages;
 import java.nio.file.Path;
@@ -53,7 +54,7 @@ record OracleMaps(
     }
 
     private static Skybox image(Path file, SceneImages images) {
-        return images.textureByFile().get(file);
+        return FloatImages.of(images.textureByFile().get(file));
     }
 
     private static Optional<OracleTexture> numbers(Optional<ImageMap> map, SceneImages images) {

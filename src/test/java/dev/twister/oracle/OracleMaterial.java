@@ -3,6 +3,7 @@ package dev.twister.oracle;
 import dev.twister.scene.Attenuation;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
+import dev.twister.sky.FloatImages;
 import dev.twister.world.SceneImages;
 import java.util.Optional;
 
@@ -29,7 +30,7 @@ record OracleMaterial(
                 material.ior(),
                 material.texture()
                         .map(file -> new OracleTexture(
-                                images.textureByFile().get(file),
+                                FloatImages.of(images.textureByFile().get(file)),
                                 material.maps().texture())),
                 material.metallic(),
                 material.isByFresnel(),

@@ -8,7 +8,9 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.sky.PackedImage;
 import dev.twister.sky.Skybox;
+import dev.twister.sky.TextureImage;
 import dev.twister.world.SceneImages;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -52,7 +54,7 @@ public final class RandomMaterials {
         if (random.nextInt(6) == 0) {
             addCrowd(random, spheres);
         }
-        Map<Path, Skybox> textures = new HashMap<>();
+        Map<Path, TextureImage> textures = new HashMap<>();
         TEXTURES.forEach(file -> textures.put(file, texture(random)));
         return new LitScene(
                 scene.withSpheres(spheres)
@@ -148,9 +150,21 @@ public final class RandomMaterials {
                 .withSize(Math.max(1, (int) (scale * plain.width())), Math.max(1, (int) (scale * plain.height())));
     }
 
-    private static Skybox texture(Random random) {
+    private static TextureImage texture(Random random) {
         int width = 1 + random.nextInt(6);
         int height = 1 + random.nextInt(6);
+        return random.nextBoolean() ? floats(random, width, height) : packed(random, width, height);
+    }
+
+    private static PackedImage packed(Random random, int width, int height) {
+        float[] linear = new float[PackedImage.VALUES];
+        for (int value = 0; value < linear.length; value++) {
+            linear[value] = (float) RandomScenes.extremeOr(random, 0, 1, random.nextDouble());
+        }
+        return new PackedImage(width, height, random.ints(width * height).toArray(), linear, true);
+    }
+
+    private static Skybox floats(Random random, int width, int height) {
         float[] texels = new float[3 * width * height];
         for (int i = 0; i < texels.length; i++) {
             texels[i] = (float) RandomScenes.extremeOr(random, 0, 1, random.nextDouble());

@@ -3,7 +3,9 @@ package dev.twister.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.EngineOffer;
+import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
@@ -15,6 +17,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 import org.junit.jupiter.api.Test;
 
 /** A camera that flies away from the scene's origin, 100 m per frame. */
@@ -58,10 +61,33 @@ class FilmSceneTest {
         }
     }
 
+    @Test
+    void tracksMoveBodiesAndLights() throws IOException {
+        FilmScene film = film(
+                seconds -> scene.withLights(Lights.of(scene.lights().first().withRadius(1 + seconds)))
+                        .withSpheres(List.of(scene.spheres().getFirst().withRadius(2 + seconds))));
+
+        FrameInput input = film.frame(3);
+
+        assertThat(input.bodies().size(Layout.LIGHT)).isEqualTo(4);
+        assertThat(input.bodies().size(Layout.FIRST_SPHERE)).isEqualTo(5);
+    }
+
+    @Test
+    void aMeasuredExposureReplacesTheScenes() throws IOException {
+        FilmScene film = film(seconds -> scene.withRendering(scene.rendering().withExposure(seconds)));
+        film.setExposure(1);
+
+        assertThat(film.frame(3).view().frame()[Layout.EXPOSURE_SCALE]).isEqualTo(2);
+    }
+
     private FilmScene film() {
         Camera camera = scene.camera();
-        Movement movement = new Movement(
-                new BodyMotion.Still(), seconds -> camera.withPosition(new Vector3(100 * seconds, 1, 0)), 1);
+        return film(seconds -> scene.withCamera(camera.withPosition(new Vector3(100 * seconds, 1, 0))));
+    }
+
+    private FilmScene film(DoubleFunction<Scene> at) {
+        Movement movement = new Movement(new BodyMotion.Still(), at, 1);
         RenderOrder order = new RenderOrder(
                 scene,
                 NO_ENGINE,

@@ -17,6 +17,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.sky.FloatImages;
 import dev.twister.sky.PngBytes;
 import dev.twister.sky.SkyException;
 import java.io.IOException;
@@ -61,8 +62,9 @@ class SceneImagesTest {
 
         assertThat(images.sky().width()).isEqualTo(2);
         assertThat(images.textureByFile()).containsOnlyKeys(file, other);
-        assertThat(images.textureByFile().get(file).radiance()[0]).isCloseTo(0.503f, within(0.001f));
-        assertThat(images.textureByFile().get(other).radiance()).containsExactly(1, 0, 0, 0, 1, 0);
+        assertThat(FloatImages.of(images.textureByFile().get(file)).radiance()[0])
+                .isCloseTo(0.503f, within(0.001f));
+        assertThat(FloatImages.of(images.textureByFile().get(other)).radiance()).containsExactly(1, 0, 0, 0, 1, 0);
         assertThat(warnings).containsExactly(file + ": the gAMA chunk is damaged and is ignored");
     }
 

@@ -15,6 +15,7 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.Skybox;
+import dev.twister.sky.TextureImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -54,7 +55,7 @@ class ShownSceneTest {
     }
 
     private static SceneImages images(Scene scene) {
-        Map<Path, Skybox> textures = new HashMap<>();
+        Map<Path, TextureImage> textures = new HashMap<>();
         TexturePlaces.of(scene).keySet().forEach(file -> textures.put(file, texture(file)));
         return new SceneImages(Worlds.SKY, textures);
     }

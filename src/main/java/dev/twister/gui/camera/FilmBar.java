@@ -6,16 +6,18 @@ import dev.twister.gui.controls.DropDownKeys;
 import dev.twister.gui.controls.Ids;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.model.KeyframeEdits;
-import dev.twister.gui.studio.CameraFilm;
+import dev.twister.gui.studio.Film;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
+import dev.twister.world.Animation;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javafx.beans.property.ReadOnlyDoubleProperty;
 import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
 import javafx.scene.control.Button;
@@ -40,7 +42,7 @@ public final class FilmBar extends HBox {
     private static final int TIME_COLUMNS = 4;
 
     private final Studio studio;
-    private final CameraFilm film;
+    private final Film film;
     private final Button play;
     private final Button delete;
     private final TextField time = new TextField();
@@ -49,6 +51,10 @@ public final class FilmBar extends HBox {
     private final ComboBox<Listed> list = new ComboBox<>();
     private List<CameraKeyframe> shown = List.of();
     private boolean showing;
+    private boolean held;
+
+    /** The time of the last keyframe of all; 0 if there is none. */
+    private double lastSeconds;
 
     /** The text that the bar has set; any other was typed. */
     private String timeText = "";
@@ -133,14 +139,26 @@ public final class FilmBar extends HBox {
         studio.sceneProperty().subscribe(this::follow);
     }
 
+    /** Seconds from the left to the right end of the time line. */
+    public ReadOnlyDoubleProperty lengthProperty() {
+        return slider.maxProperty();
+    }
+
+    /** Keeps the length of the time line, or lets it follow the keyframes again. */
+    public void hold(boolean kept) {
+        held = kept;
+        showRange();
+    }
+
     private void follow(Scene scene) {
-        if (!scene.camera().keyframes().equals(shown)) {
+        if (!scene.camera().keyframes().equals(shown) || Animation.length(scene) != lastSeconds) {
             show();
         }
     }
 
     private void show() {
         shown = film.keyframes();
+        lastSeconds = Animation.length(studio.scene());
         showing = true;
         showRange();
         slider.setValue(film.secondsProperty().get());
@@ -166,13 +184,12 @@ public final class FilmBar extends HBox {
         showing = false;
     }
 
-    /** Not while the slider is held. */
+    /** Not while the slider or a keyframe is held. */
     private void showRange() {
-        if (!slider.isValueChanging() && !marks.isHeld()) {
-            double last = shown.isEmpty() ? 0 : shown.getLast().seconds();
+        if (!held && !slider.isValueChanging() && !marks.isHeld()) {
             slider.setMax(Math.max(
                     SHORTEST_SECONDS,
-                    Math.max(ROOM * last, film.secondsProperty().get())));
+                    Math.max(ROOM * lastSeconds, film.secondsProperty().get())));
         }
     }
 

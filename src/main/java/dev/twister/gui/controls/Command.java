@@ -64,12 +64,22 @@ public enum Command {
     PAUSE(Group.PHYSICS, "Pause", "F6", "Pauses or resumes the physics."),
     STEP(Group.PHYSICS, "Step", "F7", "Advances the physics by 1/120 s and pauses."),
     RANDOMIZE(Group.PHYSICS, "Randomize", "F8", "Throws the spheres into the air, anywhere over the plane."),
-    PLAY(Group.FILM, "Play", "SPACE", "Plays or stops the camera's keyframes."),
+    PLAY(Group.FILM, "Play", "SPACE", "Plays or stops the keyframes."),
     SET_KEYFRAME(Group.FILM, "Set keyframe", "K", "Sets a keyframe of the camera at the current time."),
-    DELETE_KEYFRAME(Group.FILM, "Delete keyframe", "Shift+K", "Deletes the keyframe at the current time."),
+    DELETE_KEYFRAME(Group.FILM, "Delete keyframe", "Shift+K", "Deletes the camera's keyframe at the current time."),
+    SET_KEYFRAME_OF(
+            Group.FILM,
+            "Set keyframe of…",
+            "I",
+            "Sets a keyframe of the selected bodies or lights, the lens, the sky or the exposure."),
+    DELETE_KEYFRAME_OF(
+            Group.FILM,
+            "Delete keyframe of selected",
+            "Shift+I",
+            "Deletes the keyframes of the selected bodies and lights at the current time."),
     NEXT_KEYFRAME(Group.FILM, "Next keyframe", "Page Down", "Goes to the next keyframe."),
     PREVIOUS_KEYFRAME(Group.FILM, "Previous keyframe", "Page Up", "Goes to the previous keyframe."),
-    FILM(Group.FILM, "Keyframes", "Shortcut+T", "Shows or hides the keyframes of the camera, below the picture."),
+    FILM(Group.FILM, "Keyframes", "Shortcut+T", "Shows or hides the keyframes, below the picture."),
     CONTROLS(Group.HELP, "Controls", "F1", "Shows this list."),
     ABOUT(Group.HELP, "About Twister", "Shift+F1", "Shows the version.");
 

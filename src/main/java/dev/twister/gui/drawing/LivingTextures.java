@@ -5,7 +5,7 @@ import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.SkyException;
-import dev.twister.sky.Skybox;
+import dev.twister.sky.TextureImage;
 import dev.twister.sky.TextureReader;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
@@ -22,7 +22,7 @@ final class LivingTextures {
     private final SkyShelf shelf;
     private final Supplier<Optional<Scene>> newest;
     private final Map<Path, String> complaints = new TreeMap<>();
-    private Map<Path, Skybox> held = Map.of();
+    private Map<Path, TextureImage> held = Map.of();
     private long edition;
 
     /** @param newest the scene of the newest request; empty if there is none */
@@ -37,12 +37,12 @@ final class LivingTextures {
     }
 
     /** The textures of a scene and its meshes by their files; white if a file cannot be read. */
-    Map<Path, Skybox> of(Scene scene, SceneMeshes meshes) {
+    Map<Path, TextureImage> of(Scene scene, SceneMeshes meshes) {
         if (areOld()) {
             edition = shelf.texturesEdition();
             held = Map.of();
         }
-        Map<Path, Skybox> before = held;
+        Map<Path, TextureImage> before = held;
         held = SceneImages.textures(
                 scene,
                 meshes,
@@ -57,7 +57,7 @@ final class LivingTextures {
         return Optional.of(String.join("; ", complaints.values())).filter(all -> !all.isEmpty());
     }
 
-    private Skybox read(Path file, Scene scene, SceneMeshes meshes) {
+    private TextureImage read(Path file, Scene scene, SceneMeshes meshes) {
         complaints.remove(file);
         try {
             return meshes.embeddedImage(file)

@@ -5,6 +5,7 @@ import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
+import dev.twister.sky.TextureImage;
 import dev.twister.sky.TextureReader;
 import dev.twister.world.HiddenTextures;
 import dev.twister.world.SceneImages;
@@ -39,11 +40,11 @@ public final class SkyShelf {
     private static final long ASKED_EVERY_MILLIS = 20;
 
     private final BiFunction<Path, Consumer<String>, Skybox> reader;
-    private final BiFunction<Path, Consumer<String>, Skybox> textureReader;
+    private final BiFunction<Path, Consumer<String>, TextureImage> textureReader;
     private final SequencedMap<Path, Skybox> skies = new LinkedHashMap<>();
     private final Map<Path, Long> editions = new HashMap<>();
     private volatile Optional<Path> beingRead = Optional.empty();
-    private Map<Path, Skybox> textures = Map.of();
+    private Map<Path, TextureImage> textures = Map.of();
     private long texturesEdition;
     private final Queue<String> warnings = new ConcurrentLinkedQueue<>();
     private final Set<String> hiddenTextures = ConcurrentHashMap.newKeySet();
@@ -55,7 +56,7 @@ public final class SkyShelf {
     /** A cache that reads files with these readers. */
     SkyShelf(
             BiFunction<Path, Consumer<String>, Skybox> reader,
-            BiFunction<Path, Consumer<String>, Skybox> textureReader) {
+            BiFunction<Path, Consumer<String>, TextureImage> textureReader) {
         this.reader = reader;
         this.textureReader = textureReader;
     }
@@ -81,8 +82,8 @@ public final class SkyShelf {
         beingRead = Optional.empty();
     }
 
-    private Skybox await(Path file, BiFunction<Path, Consumer<String>, Skybox> from, BooleanSupplier wanted) {
-        CompletableFuture<Skybox> picture = new CompletableFuture<>();
+    private <T> T await(Path file, BiFunction<Path, Consumer<String>, T> from, BooleanSupplier wanted) {
+        CompletableFuture<T> picture = new CompletableFuture<>();
         beingRead = Optional.of(file);
         Thread thread = Thread.ofPlatform().daemon().name("picture").start(() -> {
             try {
@@ -108,7 +109,7 @@ public final class SkyShelf {
         }
     }
 
-    private static void waitFor(CompletableFuture<Skybox> picture) {
+    private static void waitFor(CompletableFuture<?> picture) {
         try {
             picture.get(ASKED_EVERY_MILLIS, TimeUnit.MILLISECONDS);
         } catch (InterruptedException | ExecutionException | TimeoutException _) {
@@ -162,7 +163,7 @@ public final class SkyShelf {
      * @throws SkyException as {@link SceneImages#textures} does; the cached textures stay
      */
     public void refreshTextures(Scene scene) {
-        Map<Path, Skybox> read = SceneImages.textures(scene, file -> textureReader.apply(file, warnings::add));
+        Map<Path, TextureImage> read = SceneImages.textures(scene, file -> textureReader.apply(file, warnings::add));
         synchronized (this) {
             textures = read;
             texturesEdition++;
@@ -175,9 +176,9 @@ public final class SkyShelf {
      * @throws SkyException as {@link TextureReader#read} does; the cached textures stay
      */
     public void refreshTexture(Scene scene, Path file) {
-        Skybox read = textureReader.apply(file, warnings::add);
+        TextureImage read = textureReader.apply(file, warnings::add);
         synchronized (this) {
-            Map<Path, Skybox> kept = new HashMap<>(textures);
+            Map<Path, TextureImage> kept = new HashMap<>(textures);
             kept.keySet().retainAll(TexturePlaces.of(scene).keySet());
             kept.put(file, read);
             textures = kept;
@@ -192,11 +193,11 @@ public final class SkyShelf {
      * @throws SkyException as {@link TextureReader#read} does, and if it is no longer wanted or was {@link #cancel
      *     canceled}
      */
-    Skybox texture(Path file, BooleanSupplier wanted) {
+    TextureImage texture(Path file, BooleanSupplier wanted) {
         return keptTexture(file).orElseGet(() -> await(file, textureReader, wanted));
     }
 
-    private synchronized Optional<Skybox> keptTexture(Path file) {
+    private synchronized Optional<TextureImage> keptTexture(Path file) {
         return Optional.ofNullable(textures.get(file));
     }
 

@@ -7,10 +7,12 @@ import dev.twister.scene.Mesh;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.UnaryOperator;
@@ -218,9 +220,25 @@ public final class BodyEdits {
                 meshes.add(scene.meshes().get(index));
             }
         }
-        Scene rest = scene.withSpheres(spheres).withMeshes(meshes);
+        Scene rest = scene.withSpheres(spheres)
+                .withMeshes(meshes)
+                .withTracks(TrackEdits.renumbered(scene.tracks(), target -> numberAfter(target, bodies)));
         // Lights that stay the same ones are compared at once.
         return lights.size() == scene.lights().count() ? rest : rest.withLights(new Lights(lights));
+    }
+
+    /** The target that a track has once bodies are deleted; empty if its own is among them. */
+    private static Optional<TrackTarget> numberAfter(TrackTarget target, Set<Integer> deleted) {
+        int body = TrackTitles.body(target);
+        if (body == BodyNumber.NONE || body == BodyNumber.PLANE) {
+            return Optional.of(target);
+        }
+        int before = (int) IntStream.range(0, target.index())
+                .map(index -> TrackTitles.body(new TrackTarget(target.kind(), index)))
+                .filter(deleted::contains)
+                .count();
+        return Optional.of(new TrackTarget(target.kind(), target.index() - before))
+                .filter(_ -> !deleted.contains(body));
     }
 
     /** Those of the bodies that can be deleted: spheres, meshes, and lights, but not the last one. */

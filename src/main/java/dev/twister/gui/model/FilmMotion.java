@@ -7,32 +7,33 @@ import java.util.List;
 
 /** What moves in a film. */
 public enum FilmMotion {
-    CAMERA("Camera keyframes", true, false),
+    KEYFRAMES("Keyframes", true, false),
     PHYSICS("Physics", false, true),
-    CAMERA_AND_PHYSICS("Camera keyframes and physics", true, true);
+    KEYFRAMES_AND_PHYSICS("Keyframes and physics", true, true);
 
     private static final Vector3 NONE = Vector3.ZERO;
 
-    /** One keyframe is no way. */
+    /** One keyframe moves nothing. */
     private static final int FEWEST_KEYFRAMES = 2;
 
     private final String label;
-    private final boolean camera;
+    private final boolean keyframes;
     private final boolean physics;
 
-    FilmMotion(String label, boolean camera, boolean physics) {
+    FilmMotion(String label, boolean keyframes, boolean physics) {
         this.label = label;
-        this.camera = camera;
+        this.keyframes = keyframes;
         this.physics = physics;
     }
 
     /** What can move in a scene; empty if nothing can. */
     public static List<FilmMotion> of(Scene scene) {
-        boolean path = scene.camera().keyframes().size() >= FEWEST_KEYFRAMES;
+        boolean path = scene.camera().keyframes().size() >= FEWEST_KEYFRAMES
+                || scene.tracks().stream().anyMatch(track -> track.keyframes().size() >= FEWEST_KEYFRAMES);
         boolean bodies = !scene.spheres().isEmpty() || scene.pour().isPresent();
         boolean falls = bodies && !scene.physics().gravity().equals(NONE);
         return Arrays.stream(values())
-                .filter(motion -> (path || !motion.camera) && (falls || !motion.physics))
+                .filter(motion -> (path || !motion.keyframes) && (falls || !motion.physics))
                 .toList();
     }
 
@@ -41,9 +42,9 @@ public enum FilmMotion {
         return label;
     }
 
-    /** Whether the camera follows its keyframes. */
-    public boolean movesCamera() {
-        return camera;
+    /** Whether the camera, bodies and whatever else has keyframes follow them. */
+    public boolean followsKeyframes() {
+        return keyframes;
     }
 
     /** Whether bodies are simulated. */

@@ -34,7 +34,7 @@ public final class WindowOrder {
                 scene,
                 picture,
                 engine,
-                new Movement(bodies, _ -> scene.camera(), 1),
+                new Movement(bodies, _ -> scene, 1),
                 new RenderOutput(file, Optional.empty(), ExistingFrames.REPLACED, Background.SKY));
     }
 
@@ -48,7 +48,7 @@ public final class WindowOrder {
                 scene,
                 picture,
                 engine,
-                film.movement(scene.camera()),
+                film.movement(scene),
                 new RenderOutput(file, Optional.of(film.frames()), ExistingFrames.REPLACED, Background.SKY));
     }
 

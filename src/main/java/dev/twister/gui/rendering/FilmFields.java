@@ -5,9 +5,9 @@ import dev.twister.gui.controls.PlainBox;
 import dev.twister.gui.model.FilmMotion;
 import dev.twister.gui.model.FilmPlan;
 import dev.twister.render.FrameRange;
-import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
+import dev.twister.world.Animation;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -30,7 +30,10 @@ final class FilmFields {
     private final NumberField last;
     private final Label length = new Label();
     private final HBox frames;
-    private List<CameraKeyframe> keyframes = List.of();
+
+    /** The time of the last keyframe; 0 if there is none. */
+    private double lastKeyframe;
+
     private boolean showing;
 
     /** Whether the last frame follows the film's own end. */
@@ -78,7 +81,7 @@ final class FilmFields {
 
     /** Offers the motions that a scene has. */
     void follow(Scene scene) {
-        keyframes = scene.camera().keyframes();
+        lastKeyframe = Animation.length(scene);
         List<FilmMotion> motions = FilmMotion.of(scene);
         motion.offer(motions, motions.stream().findFirst());
         showEnd();
@@ -86,7 +89,7 @@ final class FilmFields {
 
     /** The error message, or why there is no film. */
     Optional<String> complaint() {
-        return Optional.of("Nothing moves: set two camera keyframes or more, or add spheres that fall")
+        return Optional.of("Nothing moves: set two keyframes or more, or add spheres that fall")
                 .filter(_ -> motion.choice().isEmpty())
                 .or(rate::complaint)
                 .or(first::complaint)
@@ -122,8 +125,8 @@ final class FilmFields {
     }
 
     private double seconds() {
-        boolean path = motion.choice().filter(FilmMotion::movesCamera).isPresent();
-        return path && !keyframes.isEmpty() ? keyframes.getLast().seconds() : USUAL_SECONDS;
+        boolean path = motion.choice().filter(FilmMotion::followsKeyframes).isPresent();
+        return path && lastKeyframe > 0 ? lastKeyframe : USUAL_SECONDS;
     }
 
     private void tell() {

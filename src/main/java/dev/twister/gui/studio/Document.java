@@ -140,6 +140,14 @@ public final class Document {
         lookFrom(seen.withKeyframes(now.keyframes()).withAperture(now.aperture()));
     }
 
+    /** Shows the scene at another time of its film, which is no edit. */
+    void follow(Scene now) {
+        if (!now.equals(scene.get())) {
+            history.carryOn(now);
+            refresh();
+        }
+    }
+
     /** Moves the camera to a view and takes its lens, which is no edit; the keyframes stay. */
     void goTo(Camera view) {
         lookFrom(view.withKeyframes(scene.get().camera().keyframes()));

@@ -61,7 +61,7 @@ public final class Studio implements AutoCloseable {
     private final MotionControl motion;
     private final PresentBodies bodies;
     private final CameraHand hand;
-    private final CameraFilm film;
+    private final Film film;
     private double displayMillis;
     private long lastPulseNanos;
     private double viewWidth;
@@ -80,7 +80,7 @@ public final class Studio implements AutoCloseable {
         motion = new MotionControl(document, selection, this::notice, this::request);
         bodies = new PresentBodies(document, motion, picture);
         hand = new CameraHand(document, this::notice);
-        film = new CameraFilm(document, this::notice);
+        film = new Film(document, motion::isOn, this::notice);
         refining.subscribe(_ -> request());
     }
 
@@ -237,10 +237,12 @@ public final class Studio implements AutoCloseable {
 
     public void undo() {
         document.undo().ifPresent(what -> notice("Undone: " + what));
+        film.follow();
     }
 
     public void redo() {
         document.redo().ifPresent(what -> notice("Redone: " + what));
+        film.follow();
     }
 
     /** Starts and pauses physics. */
@@ -283,8 +285,8 @@ public final class Studio implements AutoCloseable {
         return hand;
     }
 
-    /** Plays the film of the camera's keyframes. */
-    public CameraFilm film() {
+    /** Sets and plays the scene's keyframes. */
+    public Film film() {
         return film;
     }
 

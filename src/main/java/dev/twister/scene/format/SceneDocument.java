@@ -31,6 +31,7 @@ final class SceneDocument {
         AlphaRules.check(scene, fields);
         GroundRules.check(scene.ground(), fields.get("plane").fields());
         ShapeRules.check(scene.meshes(), fields);
+        TrackRules.check(scene, fields);
         scene.pour()
                 .ifPresent(pour -> PourRules.check(
                         pour, fields.get("pour").fields(), scene.spheres().size()));

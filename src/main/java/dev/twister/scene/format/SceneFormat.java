@@ -7,8 +7,10 @@ import static dev.twister.scene.format.Field.written;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.CameraView;
+import dev.twister.scene.Easing;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Integrator;
+import dev.twister.scene.Keyframe;
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
@@ -27,6 +29,7 @@ import dev.twister.scene.Sky;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Title;
 import dev.twister.scene.ToneMap;
+import dev.twister.scene.Track;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.ValueType.Array;
 import dev.twister.scene.format.ValueType.Choice;
@@ -58,6 +61,9 @@ final class SceneFormat {
 
     /** The version that first has several lights. */
     private static final int LIGHTS_SINCE = 3;
+
+    /** The version that first has tracks. */
+    private static final int TRACKS_SINCE = 3;
 
     private static final String MATERIAL = "material";
 
@@ -121,6 +127,47 @@ final class SceneFormat {
                     Camera::keyframes,
                     Camera::withKeyframes)
             .from(2);
+
+    private static final Structure<Keyframe> TRACK_KEYFRAME = new Structure<>(
+            Keyframe.DEFAULT,
+            List.of(
+                    required(
+                            TrackRules.TIME,
+                            new Decimal(SceneLimits.KEYFRAME_TIME),
+                            Keyframe::seconds,
+                            Keyframe::withSeconds),
+                    required(
+                            TrackRules.VALUE,
+                            new NumberOrVector(
+                                    new Decimal(SceneLimits.ANIMATED),
+                                    new Array<>(
+                                            new Decimal(SceneLimits.ANIMATED),
+                                            3,
+                                            3,
+                                            "a number or an array of 3 numbers")),
+                            Keyframe::value,
+                            Keyframe::withValue),
+                    sparse("easing", new Choice<>(Easing.class), Keyframe::easing, Keyframe::withEasing)));
+
+    private static final Structure<Track> TRACK = new Structure<>(
+            Track.DEFAULT,
+            List.of(
+                    required(TrackRules.TARGET, new TrackTargetType(), Track::target, Track::withTarget),
+                    required(
+                            TrackRules.PROPERTY,
+                            new Text(1, SceneLimits.MAX_NAME_LENGTH),
+                            Track::property,
+                            Track::withProperty),
+                    sparse("loop", FLAG, Track::loop, Track::withLoop),
+                    required(
+                            TrackRules.KEYFRAMES,
+                            new Array<>(
+                                    TRACK_KEYFRAME,
+                                    1,
+                                    SceneLimits.MAX_KEYFRAMES,
+                                    "an array of 1 to " + SceneLimits.MAX_KEYFRAMES + " keyframes"),
+                            Track::keyframes,
+                            Track::withKeyframes)));
 
     private static final Field<CameraView, String> VIEW_NAME =
             required(ViewRules.NAME, new Text(1, SceneLimits.MAX_NAME_LENGTH), CameraView::name, CameraView::withName);
@@ -450,6 +497,16 @@ final class SceneFormat {
                                                 "an array of 0 to " + SceneLimits.MAX_MESHES + " meshes")),
                                         Scene::meshes,
                                         Scene::withMeshes)
-                                .from(2)));
+                                .from(2),
+                        sparse(
+                                        TrackRules.FIELD,
+                                        new Lines<>(new Array<>(
+                                                TRACK,
+                                                0,
+                                                SceneLimits.MAX_TRACKS,
+                                                "an array of 0 to " + SceneLimits.MAX_TRACKS + " tracks")),
+                                        Scene::tracks,
+                                        Scene::withTracks)
+                                .from(TRACKS_SINCE)));
     }
 }

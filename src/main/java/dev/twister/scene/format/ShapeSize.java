@@ -5,21 +5,17 @@ import dev.twister.scene.Shape;
 import dev.twister.scene.Vector3;
 import java.util.List;
 
-/** The size of a shape: its width, or a number for each axis. Items are one or three numbers. */
-record ShapeSize(Decimal width, Array<Double> axes) implements ValueType<List<Double>> {
-    static final ShapeSize TYPE = new ShapeSize(
-            new Decimal(SceneLimits.LENGTH),
-            new Array<>(new Decimal(SceneLimits.SHAPE_SIDE), 3, 3, "a number or an array of 3 numbers [x, y, z]"));
+/** The size of a shape: its width, or a number for each axis. */
+final class ShapeSize {
+    static final NumberOrVector TYPE = new NumberOrVector(
+            new ValueType.Decimal(SceneLimits.LENGTH),
+            new ValueType.Array<>(
+                    new ValueType.Decimal(SceneLimits.SHAPE_SIDE),
+                    3,
+                    3,
+                    "a number or an array of 3 numbers [x, y, z]"));
 
-    @Override
-    public List<Double> read(Place place) {
-        return place.value() instanceof LocatedValue.NumberValue ? List.of(width.read(place)) : axes.read(place);
-    }
-
-    @Override
-    public String write(List<Double> value) {
-        return value.size() == 1 ? width.write(value.getFirst()) : axes.write(value);
-    }
+    private ShapeSize() {}
 
     /** The numbers for a shape. */
     static List<Double> of(Shape shape) {

@@ -26,8 +26,9 @@ import java.util.stream.Stream;
 sealed interface ValueType<T>
         permits Members,
                 NamedMaterials,
+                NumberOrVector,
                 ObjectType,
-                ShapeSize,
+                TrackTargetType,
                 ValueType.Array,
                 ValueType.Choice,
                 ValueType.Converted,

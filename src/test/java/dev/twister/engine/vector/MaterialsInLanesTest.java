@@ -17,6 +17,7 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.Skybox;
+import dev.twister.sky.TextureImage;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.World;
@@ -121,7 +122,7 @@ final class MaterialsInLanesTest {
         return material;
     }
 
-    private static Map<Path, Skybox> textures(Scene scene, Random random) {
+    private static Map<Path, TextureImage> textures(Scene scene, Random random) {
         float[] texels = new float[3 * 7 * 5];
         for (int i = 0; i < texels.length; i++) {
             texels[i] = random.nextFloat();

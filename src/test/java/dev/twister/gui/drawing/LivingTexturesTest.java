@@ -9,6 +9,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.sky.FloatImages;
 import dev.twister.world.SceneMeshes;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -65,7 +66,7 @@ class LivingTexturesTest {
     }
 
     private float red() {
-        return textures.of(scene, SceneMeshes.NONE).get(file).radiance()[0];
+        return FloatImages.of(textures.of(scene, SceneMeshes.NONE).get(file)).radiance()[0];
     }
 
     private void write(int color) throws IOException {

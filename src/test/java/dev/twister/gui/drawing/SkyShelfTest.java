@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import dev.twister.sky.PngBytes;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
+import dev.twister.sky.TextureImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -52,7 +53,7 @@ class SkyShelfTest {
     void aTextureThatIsNotWantedAnyMoreIsNotWaitedFor() throws InterruptedException {
         SkyShelf shelf = new SkyShelf(this::readForEver, this::readForEver);
         AtomicBoolean wanted = new AtomicBoolean(true);
-        CompletableFuture<Skybox> found =
+        CompletableFuture<TextureImage> found =
                 CompletableFuture.supplyAsync(() -> shelf.texture(folder.resolve("slow.png"), wanted::get));
         begun.await();
         assertThat(shelf.beingRead()).contains(folder.resolve("slow.png"));

@@ -18,7 +18,7 @@ class FilmMotionTest {
     void offersWhatTheSceneHas() {
         assertThat(FilmMotion.of(EMPTY)).isEmpty();
         assertThat(FilmMotion.of(FALLING)).containsExactly(FilmMotion.PHYSICS);
-        assertThat(FilmMotion.of(withPath(EMPTY, 2))).containsExactly(FilmMotion.CAMERA);
+        assertThat(FilmMotion.of(withPath(EMPTY, 2))).containsExactly(FilmMotion.KEYFRAMES);
         assertThat(FilmMotion.of(withPath(FALLING, 2))).containsExactly(FilmMotion.values());
     }
 
@@ -38,7 +38,7 @@ class FilmMotionTest {
     void theCameraFollowsItsKeyframesWhereItMoves() {
         Camera camera = withPath(EMPTY, 2).camera();
 
-        assertThat(camera(FilmMotion.CAMERA, camera, 1).position().x()).isEqualTo(5);
+        assertThat(camera(FilmMotion.KEYFRAMES, camera, 1).position().x()).isEqualTo(5);
         assertThat(camera(FilmMotion.PHYSICS, camera, 1)).isEqualTo(camera);
     }
 
@@ -51,8 +51,9 @@ class FilmMotionTest {
 
     private static Camera camera(FilmMotion motion, Camera from, double seconds) {
         return new FilmPlan(motion, 30, FrameRange.ofCount(1))
-                .movement(from)
-                .camera()
-                .apply(seconds);
+                .movement(EMPTY.withCamera(from))
+                .scene()
+                .apply(seconds)
+                .camera();
     }
 }

@@ -10,11 +10,15 @@ import dev.twister.gui.model.RefinementGoal;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraView;
+import dev.twister.scene.Keyframe;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Track;
+import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
 import dev.twister.world.CameraMotion;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Predicate;
@@ -51,6 +55,27 @@ class StudioTest {
         studio.show(new OpenedScene(FILE, scene));
         DrawingRequest opened = awaitRequest(request -> request.scene().equals(scene));
         assertThat(opened.document()).isNotEqualTo(first.document());
+    }
+
+    @Test
+    void aTimeOfTheFilmShowsWhatHasTracksAsTheySayAndIsNoEdit() {
+        Track exposure = Track.of(TrackTarget.RENDERING, "exposure", Keyframe.of(0, -1), Keyframe.of(4, 3));
+        studio.edit("animate", now -> now.withTracks(List.of(exposure)));
+        studio.film().goTo(2);
+
+        assertThat(studio.scene().rendering().exposure()).isEqualTo(1);
+        assertThat(studio.document().editsProperty().get().undoable()).contains("animate");
+    }
+
+    @Test
+    void undoShowsThePresentTimeOfTheFilm() {
+        Track exposure = Track.of(TrackTarget.RENDERING, "exposure", Keyframe.of(0, -1), Keyframe.of(4, 3));
+        studio.edit("animate", now -> now.withTracks(List.of(exposure)));
+        studio.edit("shadows", now -> now.withRendering(now.rendering().withShadows(2)));
+        studio.film().goTo(4);
+        studio.undo();
+
+        assertThat(studio.scene().rendering().exposure()).isEqualTo(3);
     }
 
     @Test

@@ -2,6 +2,7 @@ package dev.twister.scene.format;
 
 import dev.twister.scene.Material;
 import dev.twister.scene.Range;
+import dev.twister.scene.TrackTarget;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -44,7 +45,8 @@ final class RandomValues {
                     case ValueType.Converted<?, ?> converted -> decoded(converted);
                     case ValueType.Structure<?> structure -> structure(structure);
                     case Shaped<?> shaped -> of(shaped.plain());
-                    case ShapeSize size -> List.of(of(size.width()));
+                    case NumberOrVector either -> List.of(of(either.number()));
+                    case TrackTargetType _ -> TrackTarget.CAMERA;
                     // Bodies have materials of their own.
                     case Members<?> _ -> new LinkedHashMap<>();
                     case NamedMaterials _ -> Material.DEFAULT;

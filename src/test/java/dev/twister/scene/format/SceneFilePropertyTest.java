@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.scene.Alpha;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraView;
+import dev.twister.scene.Easing;
 import dev.twister.scene.Emission;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
 import dev.twister.scene.ImageMap;
+import dev.twister.scene.Keyframe;
 import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
 import dev.twister.scene.Pour;
@@ -16,6 +18,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
+import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Triangles;
 import dev.twister.scene.Vector3;
 import java.io.IOException;
@@ -121,7 +124,18 @@ class SceneFilePropertyTest {
                                 pour.withMaterial(opaque(pour.material())),
                                 scene.spheres().size())))
                         .orElse(scene))
+                .map(SceneFilePropertyTest::withPossibleTracks)
                 .map(SceneFilePropertyTest::withFiles);
+    }
+
+    private static Scene withPossibleTracks(Scene scene) {
+        return scene.tracks().isEmpty()
+                ? scene
+                : scene.withTracks(List.of(scene.tracks()
+                        .getFirst()
+                        .withTarget(TrackTarget.RENDERING)
+                        .withProperty("exposure")
+                        .withKeyframes(List.of(Keyframe.of(0.5, -1).withEasing(Easing.HOLD), Keyframe.of(1, 0.25)))));
     }
 
     private static SceneFormat format(int version, SequencedMap<String, Material> materials) {

@@ -23,6 +23,9 @@ class SchemaTest {
     private static final String DEFINITION = "#/$defs/";
     private static final String NO_CONTROL_CHARACTERS = "^[^\\u0000-\\u001f\\u007f-\\u009f]*$";
 
+    private static final String TARGETS =
+            "^(camera|plane|sky|shading|rendering|(lights|spheres|meshes)\\[(0|[1-9][0-9]{0,6})\\])$";
+
     @Test
     @SuppressWarnings("unchecked") // a JSON object
     void schemaSaysWhatTheReaderTakes() throws Exception {
@@ -159,8 +162,9 @@ class SchemaTest {
                         "additionalProperties",
                         schemaOf(members.type())));
             case NamedMaterials _ -> schema(Map.of("type", "string"));
-            case ShapeSize(ValueType.Decimal width, ValueType.Array<Double> axes) ->
-                schema(Map.of("anyOf", List.of(schemaOf(width), schemaOf(axes))));
+            case NumberOrVector(ValueType.Decimal number, ValueType.Array<Double> vector) ->
+                schema(Map.of("anyOf", List.of(schemaOf(number), schemaOf(vector))));
+            case TrackTargetType() -> schema(Map.of("type", "string", "pattern", TARGETS));
             case Shaped<?> shaped ->
                 schema(Map.of(
                         "if",

@@ -1,6 +1,7 @@
 package dev.twister.scene.format;
 
 import dev.twister.scene.Range;
+import dev.twister.scene.TrackTarget;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -39,7 +40,8 @@ final class Values {
                     case Members<?> members -> members(members);
                     case NamedMaterials named -> Arbitraries.of(named.byName().values());
                     case Shaped<?> shaped -> shapes(shaped);
-                    case ShapeSize size -> sizes(size);
+                    case NumberOrVector either -> numbers(either);
+                    case TrackTargetType _ -> Arbitraries.just(TrackTarget.CAMERA);
                 };
     }
 
@@ -90,8 +92,8 @@ final class Values {
                                         && named.byName().isEmpty()));
     }
 
-    private static Arbitrary<List<Double>> sizes(ShapeSize size) {
-        return Arbitraries.oneOf(of(size.width()).map(List::of), of(size.axes()));
+    private static Arbitrary<List<Double>> numbers(NumberOrVector either) {
+        return Arbitraries.oneOf(of(either.number()).map(List::of), of(either.vector()));
     }
 
     private static <R> Arbitrary<R> records(ValueType.Structure<R> structure) {

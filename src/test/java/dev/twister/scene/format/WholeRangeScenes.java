@@ -31,7 +31,7 @@ public final class WholeRangeScenes {
     /** Returns the next scene, without the spheres that the pour will add. */
     public static Scene next(Random random) {
         RandomValues values = new RandomValues(random);
-        Scene scene = values.of(FORMAT.scene()).withPour(Pour.DEFAULT);
+        Scene scene = values.of(FORMAT.scene()).withPour(Pour.DEFAULT).withTracks(List.of());
         if (random.nextInt(16) == 0) {
             List<Sphere> spheres = new ArrayList<>();
             for (int i = 0; i < CROWD; i++) {

@@ -243,7 +243,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         for (@Parallel int i = 0; i < count; i++) {
             int width = (int) in[4 * i + 2];
             int height = (int) in[4 * i + 3];
-            out[i] = Texture.color(3, width, height, in[4 * i], in[4 * i + 1], i % 3, texels);
+            out[i] = Texture.color(3, 0, width, height, in[4 * i], in[4 * i + 1], i % 3, texels);
         }
     }
 

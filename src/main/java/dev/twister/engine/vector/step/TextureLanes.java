@@ -6,6 +6,7 @@ import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Texture;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
@@ -108,7 +109,7 @@ public final class TextureLanes {
         }
     }
 
-    /** Writes size and start of each listed pixel's texture. */
+    /** Writes the size of each listed pixel's texture. */
     static void fetchSizes(Tile tile, Drawing drawing) {
         float[] t = tile.values;
         float[] looks = drawing.input.bodies().looks();
@@ -116,7 +117,6 @@ public final class TextureLanes {
         for (int k = 0; k < tile.lonely.count; k++) {
             int pixel = tile.lonely.pixels[k];
             int at = textures + Layout.MAPS_STRIDE * ((int) t[pixel + Tile.TEXTURE] - 1);
-            tile.texels[pixel] = Layout.ALIGNMENT * (int) looks[at + Layout.MAPS_COLOR + Layout.MAP_START];
             t[pixel + Tile.TEXTURE_WIDTH] = looks[at + Layout.MAPS_COLOR + Layout.MAP_WIDTH];
             t[pixel + Tile.TEXTURE_HEIGHT] = looks[at + Layout.MAPS_COLOR + Layout.MAP_HEIGHT];
         }
@@ -164,36 +164,36 @@ public final class TextureLanes {
             bottom = bottom.blend(0f, bottom.compare(VectorOperators.GE, rows));
             left = Lanes.smaller(left.blend(lastColumn, left.compare(VectorOperators.LT, 0f)), lastColumn);
             top = Lanes.smaller(top.blend(lastRow, top.compare(VectorOperators.LT, 0f)), lastRow);
-            IntVector start = IntVector.fromArray(Lanes.INTS, tile.texels, at);
             IntVector width = Lanes.truncated(columns);
             IntVector upper = Lanes.truncated(top).mul(width);
             IntVector lower = Lanes.truncated(bottom).mul(width);
             IntVector first = Lanes.truncated(left);
             IntVector second = Lanes.truncated(right);
-            upper.add(first).mul(CHANNELS).add(start).intoArray(corners, at + Tile.UPPER_LEFT);
-            upper.add(second).mul(CHANNELS).add(start).intoArray(corners, at + Tile.UPPER_RIGHT);
-            lower.add(first).mul(CHANNELS).add(start).intoArray(corners, at + Tile.LOWER_LEFT);
-            lower.add(second).mul(CHANNELS).add(start).intoArray(corners, at + Tile.LOWER_RIGHT);
+            upper.add(first).intoArray(corners, at + Tile.UPPER_LEFT);
+            upper.add(second).intoArray(corners, at + Tile.UPPER_RIGHT);
+            lower.add(first).intoArray(corners, at + Tile.LOWER_LEFT);
+            lower.add(second).intoArray(corners, at + Tile.LOWER_RIGHT);
         }
     }
 
     /** Fetches the four texels of each listed pixel, pixel by pixel. */
     static void fetch(Tile tile, Drawing drawing) {
+        float[] t = tile.values;
+        float[] looks = drawing.input.bodies().looks();
+        int textures = drawing.input.bodies().textures() + Layout.MAPS_COLOR;
         float[] from = drawing.input.images();
         float[] to = tile.cornerNumbers;
         int[] corners = tile.corners;
         for (int k = 0; k < tile.lonely.count; k++) {
             int pixel = tile.lonely.pixels[k];
-            int upperLeft = corners[Tile.UPPER_LEFT + pixel];
-            int upperRight = corners[Tile.UPPER_RIGHT + pixel];
-            int lowerLeft = corners[Tile.LOWER_LEFT + pixel];
-            int lowerRight = corners[Tile.LOWER_RIGHT + pixel];
+            int map = textures + Layout.MAPS_STRIDE * ((int) t[pixel + Tile.TEXTURE] - 1);
+            int start = Layout.ALIGNMENT * (int) looks[map + Layout.MAP_START];
+            int packed = Texture.isPacked((int) looks[map + Layout.MAP_SAMPLER]);
             for (int channel = 0; channel < CHANNELS; channel++) {
-                int place = Tile.CORNERS * channel * Tile.SIZE + pixel;
-                to[Tile.UPPER_LEFT + place] = from[upperLeft + channel];
-                to[Tile.UPPER_RIGHT + place] = from[upperRight + channel];
-                to[Tile.LOWER_LEFT + place] = from[lowerLeft + channel];
-                to[Tile.LOWER_RIGHT + place] = from[lowerRight + channel];
+                int place = Tile.CORNERS * channel * Tile.SIZE;
+                for (int corner = Tile.UPPER_LEFT; corner <= Tile.LOWER_RIGHT; corner += Tile.SIZE) {
+                    to[place + corner + pixel] = Texture.texel(start, packed, corners[corner + pixel], channel, from);
+                }
             }
         }
     }

@@ -1,14 +1,26 @@
 package dev.twister.gui.studio;
 
 import dev.twister.gui.controls.Command;
+import dev.twister.gui.model.KeyMark;
 import dev.twister.gui.model.KeyframeEdits;
+import dev.twister.gui.model.TrackEdits;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
+import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Track;
+import dev.twister.scene.TrackTarget;
+import dev.twister.world.Animation;
 import dev.twister.world.CameraPath;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalInt;
+import java.util.SequencedMap;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
@@ -16,9 +28,13 @@ import javafx.beans.property.ReadOnlyDoubleProperty;
 import javafx.beans.property.ReadOnlyDoubleWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
 
-/** The film of the camera's keyframes: its present time, at which the camera is on their path. */
-public final class CameraFilm {
+/** The film of the scene's keyframes: its present time, at which everything is as they say. */
+public final class Film {
+    /** Times that differ by less are the same. */
+    private static final double EPSILON = 1e-6;
+
     private final Document document;
+    private final BooleanSupplier physics;
     private final Consumer<String> notice;
     private final ReadOnlyDoubleWrapper seconds = new ReadOnlyDoubleWrapper(0);
     private final BooleanProperty shown = new SimpleBooleanProperty(false);
@@ -27,8 +43,10 @@ public final class CameraFilm {
     /** The camera when playing started: keyframes may leave out the field of view and the focus. */
     private Camera start;
 
-    CameraFilm(Document document, Consumer<String> notice) {
+    /** @param physics whether it is on, which moves spheres whatever their keyframes say */
+    Film(Document document, BooleanSupplier physics, Consumer<String> notice) {
         this.document = document;
+        this.physics = physics;
         this.notice = notice;
         start = document.scene().camera();
         startAnew();
@@ -38,7 +56,7 @@ public final class CameraFilm {
     void startAnew() {
         playing.set(false);
         seconds.set(0);
-        shown.set(!keyframes().isEmpty());
+        shown.set(Animation.isIn(document.scene()));
     }
 
     /** Whether the film bar is shown. */
@@ -55,16 +73,17 @@ public final class CameraFilm {
         return playing.getReadOnlyProperty();
     }
 
+    /** Those of the camera's path. */
     public List<CameraKeyframe> keyframes() {
         return document.scene().camera().keyframes();
     }
 
-    /** The keyframe at the present time. */
+    /** The camera's keyframe at the present time. */
     public OptionalInt present() {
         return KeyframeEdits.at(keyframes(), seconds.get());
     }
 
-    /** Seeks to a time and stops playing. Outside of the keyframes' range the camera does not move. */
+    /** Seeks to a time and stops playing. Outside of its keyframes' range the camera does not move. */
     public void goTo(double time) {
         playing.set(false);
         seconds.set(KeyframeEdits.time(time));
@@ -73,6 +92,16 @@ public final class CameraFilm {
                 && seconds.get() >= keys.getFirst().seconds()
                 && seconds.get() <= keys.getLast().seconds()) {
             document.followPath(CameraPath.at(document.scene().camera(), seconds.get()));
+        }
+        follow();
+    }
+
+    /** Shows all that has tracks as it is at the present time, which is no edit. */
+    void follow() {
+        Scene scene = document.scene();
+        if (!scene.tracks().isEmpty()) {
+            Scene now = Animation.tracked(scene, seconds.get());
+            document.follow(physics.getAsBoolean() ? now.withSpheres(scene.spheres()) : now);
         }
     }
 
@@ -83,10 +112,10 @@ public final class CameraFilm {
 
     /** Goes to the next or previous keyframe; tells it if there is none. */
     public void goAlong(boolean forward) {
-        List<Double> times = keyframes().stream().map(CameraKeyframe::seconds).toList();
+        List<Double> times = TrackEdits.times(document.scene());
         (forward ? times : times.reversed())
                 .stream()
-                        .filter(time -> forward ? time > seconds.get() : time < seconds.get())
+                        .filter(time -> forward ? time > seconds.get() + EPSILON : time < seconds.get() - EPSILON)
                         .findFirst()
                         .ifPresentOrElse(
                                 this::goTo,
@@ -99,7 +128,7 @@ public final class CameraFilm {
                                                 : forward ? "No later keyframe" : "No earlier keyframe"));
     }
 
-    /** Sets a keyframe with the present camera at the present time. */
+    /** Sets a keyframe of the camera's path with the present camera at the present time. */
     public void setKeyframe() {
         if (keyframes().size() >= SceneLimits.MAX_KEYFRAMES && present().isEmpty()) {
             notice.accept("A camera has at most " + SceneLimits.MAX_KEYFRAMES + " keyframes");
@@ -114,7 +143,49 @@ public final class CameraFilm {
         notice.accept("Keyframe set at " + KeyframeEdits.text(time) + " s; change the time for the next one");
     }
 
-    /** Deletes the keyframe at the present time; tells it if there is none. */
+    /**
+     * Sets keyframes of properties at the present time, as one edit.
+     *
+     * @param properties of each target, by their names; those that it has not are left out
+     */
+    public void setKeyframes(SequencedMap<TrackTarget, List<String>> properties) {
+        playing.set(false);
+        shown.set(true);
+        double time = KeyframeEdits.time(seconds.get());
+        seconds.set(time);
+        document.edit("set keyframes", scene -> {
+            Scene now = scene;
+            for (Map.Entry<TrackTarget, List<String>> entry : properties.entrySet()) {
+                for (String property : entry.getValue()) {
+                    now = TrackEdits.set(now, entry.getKey(), property, time);
+                }
+            }
+            return now;
+        });
+        document.endGesture();
+        notice.accept("Keyframe set at " + KeyframeEdits.text(time) + " s; change the time for the next one");
+    }
+
+    /** Deletes all keyframes of targets at the present time; tells it if there are none. */
+    public void deleteKeyframes(List<TrackTarget> targets) {
+        Set<KeyMark> marks = new LinkedHashSet<>();
+        targets.forEach(target -> marks.add(new KeyMark(target, seconds.get())));
+        if (TrackEdits.deleted(document.scene(), marks).equals(document.scene())) {
+            notice.accept("No keyframe of the selection at " + KeyframeEdits.text(seconds.get()) + " s");
+        } else {
+            edit("delete keyframes", scene -> TrackEdits.deleted(scene, marks));
+            document.endGesture();
+        }
+    }
+
+    /** Edits keyframes, and shows what they make of the present time. */
+    public void edit(String what, UnaryOperator<Scene> change) {
+        playing.set(false);
+        document.edit(what, change);
+        follow();
+    }
+
+    /** Deletes the camera's keyframe at the present time; tells it if there is none. */
     public void deleteKeyframe() {
         present()
                 .ifPresentOrElse(
@@ -125,7 +196,7 @@ public final class CameraFilm {
                         () -> notice.accept("No keyframe at " + KeyframeEdits.text(seconds.get()) + " s"));
     }
 
-    /** Moves a keyframe to another time, and goes there. */
+    /** Moves a keyframe of the camera to another time, and goes there. */
     public void moveKeyframe(int index, double time) {
         playing.set(false);
         document.edit("move keyframe", scene -> KeyframeEdits.moved(scene, index, time));
@@ -134,16 +205,15 @@ public final class CameraFilm {
 
     /** Starts or stops playing. Starts from the present time; at the end, from the first keyframe. */
     public void togglePlaying() {
-        List<CameraKeyframe> keys = keyframes();
+        List<Double> times = TrackEdits.times(document.scene());
         if (playing.get()) {
             playing.set(false);
-        } else if (keys.size() < 2) {
-            notice.accept("Set two keyframes or more to play the camera's path");
+        } else if (times.size() < 2) {
+            notice.accept("Set two keyframes or more to play them");
         } else {
             start = document.scene().camera();
-            boolean within = seconds.get() >= keys.getFirst().seconds()
-                    && seconds.get() < keys.getLast().seconds();
-            seconds.set(within ? seconds.get() : keys.getFirst().seconds());
+            boolean within = seconds.get() >= times.getFirst() && seconds.get() < times.getLast();
+            seconds.set(within ? seconds.get() : times.getFirst());
             playing.set(true);
         }
     }
@@ -157,15 +227,21 @@ public final class CameraFilm {
         if (!playing.get()) {
             return;
         }
-        if (keyframes().size() < 2) {
+        Scene scene = document.scene();
+        double end = Animation.length(scene);
+        if (TrackEdits.times(scene).size() < 2) {
             // Keyframes were deleted.
             playing.set(false);
             return;
         }
-        double end = keyframes().getLast().seconds();
-        seconds.set(Math.min(end, seconds.get() + passed));
-        document.followPath(CameraPath.at(start.withKeyframes(keyframes()), seconds.get()));
-        if (seconds.get() >= end) {
+        boolean again = scene.tracks().stream().anyMatch(Track::loop);
+        double now = seconds.get() + passed;
+        seconds.set(again && now >= end ? (now - end) % end : Math.min(end, now));
+        if (!keyframes().isEmpty()) {
+            document.followPath(CameraPath.at(start.withKeyframes(keyframes()), seconds.get()));
+        }
+        follow();
+        if (!again && seconds.get() >= end) {
             playing.set(false);
         }
     }

@@ -1,0 +1,137 @@
+package dev.twister.gui.camera;
+
+import dev.twister.gui.controls.Tooltips;
+import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.KeyMark;
+import dev.twister.gui.model.TrackEdits;
+import dev.twister.gui.model.TrackTitles;
+import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Scene;
+import dev.twister.scene.TrackTarget;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import javafx.beans.property.ReadOnlyDoubleProperty;
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+
+/** The keyframes of everything as marks, one row for each thing that has some. */
+public final class DopeSheet extends ScrollPane {
+    private final Studio studio;
+    private final ReadOnlyDoubleProperty seconds;
+    private final Consumer<Boolean> hold;
+    private final VBox rows = new VBox();
+    private final List<KeyframeLane> lanes = new ArrayList<>();
+    private Set<KeyMark> selected = Set.of();
+    private Set<KeyMark> copied = Set.of();
+    private List<TrackTarget> shown = List.of();
+
+    /**
+     * Rows below the film bar.
+     *
+     * @param seconds length of the rows
+     * @param hold told whether the rows' length must stay, as keyframes are dragged
+     */
+    public DopeSheet(Studio studio, ReadOnlyDoubleProperty seconds, Consumer<Boolean> hold) {
+        this.studio = studio;
+        this.seconds = seconds;
+        this.hold = hold;
+        setId("dope-sheet");
+        getStyleClass().add("dope-sheet");
+        setFitToWidth(true);
+        setFocusTraversable(false);
+        setHbarPolicy(ScrollBarPolicy.NEVER);
+        setContent(rows);
+        studio.sceneProperty().subscribe(this::follow);
+        studio.film().shownProperty().subscribe(_ -> follow(studio.scene()));
+        studio.film().secondsProperty().subscribe(_ -> draw());
+        seconds.subscribe(_ -> draw());
+    }
+
+    /** The marks that are moved, copied and deleted together. */
+    Set<KeyMark> selected() {
+        return selected;
+    }
+
+    void select(Set<KeyMark> marks) {
+        selected = Set.copyOf(marks);
+        draw();
+    }
+
+    /** Keeps the rows' length while keyframes are dragged. */
+    void hold(boolean held) {
+        hold.accept(held);
+    }
+
+    void copySelected() {
+        copied = selected;
+        studio.notice(copied.isEmpty() ? "Select keyframes to copy them" : count(copied) + " copied");
+    }
+
+    /** Adds copies of the copied keyframes, the first of them at the present time. */
+    void paste() {
+        double present = studio.film().secondsProperty().get();
+        Scene before = studio.scene();
+        studio.film().edit("paste keyframes", scene -> TrackEdits.copied(scene, copied, present));
+        studio.endGesture();
+        if (studio.scene().equals(before)) {
+            studio.notice("No keyframes have been copied");
+        }
+    }
+
+    void deleteSelected() {
+        studio.film().edit("delete keyframes", scene -> TrackEdits.deleted(scene, selected));
+        studio.endGesture();
+        select(Set.of());
+    }
+
+    private static String count(Set<KeyMark> marks) {
+        return marks.size() + (marks.size() == 1 ? " keyframe" : " keyframes");
+    }
+
+    private void follow(Scene scene) {
+        List<TrackTarget> targets = studio.film().shownProperty().get() ? TrackEdits.targets(scene) : List.of();
+        if (!targets.equals(shown)) {
+            shown = targets;
+            rows.getChildren().clear();
+            lanes.clear();
+            targets.forEach(this::addRow);
+            boolean any = !targets.isEmpty();
+            setVisible(any);
+            setManaged(any);
+        }
+        lanes.forEach(lane -> lane.follow(scene));
+    }
+
+    private void addRow(TrackTarget target) {
+        KeyframeLane lane = new KeyframeLane(this, studio, seconds, target);
+        lanes.add(lane);
+        Label title = new Label();
+        title.getStyleClass().add("dope-title");
+        title.textProperty().bind(lane.titleProperty());
+        title.setTooltip(Tooltips.of("Click to select it; double-click to select all of its keyframes."));
+        title.setOnMouseClicked(event -> {
+            if (event.getClickCount() > 1) {
+                Set<KeyMark> all = new LinkedHashSet<>();
+                TrackEdits.times(studio.scene(), target).forEach(time -> all.add(new KeyMark(target, time)));
+                select(all);
+            } else if (TrackTitles.body(target) != BodyNumber.NONE) {
+                studio.selection().select(TrackTitles.body(target));
+            }
+        });
+        HBox.setHgrow(lane, Priority.ALWAYS);
+        HBox row = new HBox(title, lane);
+        row.setAlignment(Pos.CENTER_LEFT);
+        rows.getChildren().add(row);
+    }
+
+    private void draw() {
+        lanes.forEach(KeyframeLane::draw);
+    }
+}

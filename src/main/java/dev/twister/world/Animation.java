@@ -1,0 +1,86 @@
+package dev.twister.world;
+
+import dev.twister.scene.AnimatedProperty;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Track;
+import dev.twister.scene.TrackTarget;
+import java.util.ArrayList;
+import java.util.List;
+
+/** A scene at a time of its film. */
+public final class Animation {
+    private Animation() {}
+
+    /** Whether anything moves by keyframes. */
+    public static boolean isIn(Scene scene) {
+        return !scene.camera().keyframes().isEmpty() || !scene.tracks().isEmpty();
+    }
+
+    /** The time of the last keyframe, in seconds; 0 where there is none. */
+    public static double length(Scene scene) {
+        double camera = scene.camera().keyframes().isEmpty()
+                ? 0
+                : scene.camera().keyframes().getLast().seconds();
+        return scene.tracks().stream()
+                .mapToDouble(track -> track.keyframes().getLast().seconds())
+                .reduce(camera, Math::max);
+    }
+
+    /**
+     * The scene with the camera on its path, and all that has tracks as they say. The camera's tracks replace what its
+     * keyframes say.
+     *
+     * @param seconds time since the start of the film
+     */
+    public static Scene at(Scene scene, double seconds) {
+        return tracked(scene.withCamera(CameraPath.at(scene.camera(), seconds)), seconds);
+    }
+
+    /** The same with the camera where the scene has it, but for its tracks. */
+    public static Scene tracked(Scene scene, double seconds) {
+        Scene now = scene;
+        List<Track> ofLights = new ArrayList<>();
+        List<Track> ofSpheres = new ArrayList<>();
+        List<Track> ofMeshes = new ArrayList<>();
+        for (Track track : scene.tracks()) {
+            switch (track.target().kind()) {
+                case CAMERA -> now = now.withCamera(set(now.camera(), AnimatedProperty.CAMERA, track, seconds));
+                case PLANE -> now = now.withGround(set(now.ground(), AnimatedProperty.PLANE, track, seconds));
+                case SKY -> now = now.withSky(set(now.sky(), AnimatedProperty.SKY, track, seconds));
+                case SHADING -> now = now.withShading(set(now.shading(), AnimatedProperty.SHADING, track, seconds));
+                case RENDERING ->
+                    now = now.withRendering(set(now.rendering(), AnimatedProperty.RENDERING, track, seconds));
+                case LIGHT -> ofLights.add(track);
+                case SPHERE -> ofSpheres.add(track);
+                case MESH -> ofMeshes.add(track);
+            }
+        }
+        // A list that stays the same one is compared at once, however long it is.
+        if (!ofLights.isEmpty()) {
+            now = now.withLights(new Lights(set(now.lights().list(), AnimatedProperty.LIGHT, ofLights, seconds)));
+        }
+        if (!ofSpheres.isEmpty()) {
+            now = now.withSpheres(set(now.spheres(), AnimatedProperty.SPHERE, ofSpheres, seconds));
+        }
+        return ofMeshes.isEmpty() ? now : now.withMeshes(set(now.meshes(), AnimatedProperty.MESH, ofMeshes, seconds));
+    }
+
+    private static <T> List<T> set(
+            List<T> items, List<AnimatedProperty<T>> properties, List<Track> tracks, double seconds) {
+        List<T> changed = new ArrayList<>(items);
+        for (Track track : tracks) {
+            TrackTarget target = track.target();
+            changed.set(target.index(), set(changed.get(target.index()), properties, track, seconds));
+        }
+        return changed.equals(items) ? items : changed;
+    }
+
+    private static <T> T set(T item, List<AnimatedProperty<T>> properties, Track track, double seconds) {
+        return properties.stream()
+                .filter(property -> property.name().equals(track.property()))
+                .findFirst()
+                .map(property -> property.write(item, TrackCurve.at(track, seconds)))
+                .orElse(item);
+    }
+}

@@ -1,0 +1,40 @@
+package dev.twister.sky;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+
+class TextureReaderTest {
+    @Test
+    void eightBitsStayEightBits() throws IOException {
+        BufferedImage image = new BufferedImage(2, 1, BufferedImage.TYPE_INT_ARGB);
+        image.setRGB(0, 0, 0xff804020);
+        image.setRGB(1, 0, 0x05ffffff);
+
+        PackedImage texture = (PackedImage) read(image);
+
+        assertThat(texture.texels()).containsExactly(0xff204080, 0x05ffffff);
+        assertThat(texture.isOpaque()).isFalse();
+        assertThat(texture.linear()).isEqualTo(CurveEncoding.SRGB.table(255));
+    }
+
+    @Test
+    void sixteenBitsBecomeFloats() throws IOException {
+        BufferedImage image = new BufferedImage(1, 1, BufferedImage.TYPE_USHORT_GRAY);
+        image.getRaster().setSample(0, 0, 0, 257);
+
+        assertThat(((Skybox) read(image)).radiance()[0])
+                .isEqualTo(CurveEncoding.SRGB.table(65_535)[257]);
+    }
+
+    private static TextureImage read(BufferedImage image) throws IOException {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", file);
+        return TextureReader.read(Path.of("image.png"), file.toByteArray(), _ -> {});
+    }
+}
