@@ -158,12 +158,12 @@ final class DeclinedTest {
 
     /** Textured and glass meshes, glass spheres and the lens. */
     @ParameterizedTest
-    @ValueSource(strings = {"bokeh", "gallery", "glass", "knot"})
+    @ValueSource(strings = {"bokeh", "gallery", "glass"})
     void shippedSceneIsDrawnWithoutTheKernel(String name) {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
         SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
-        FrameInput input =
-                World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes).snapshot();
+        FrameInput input = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes)
+                .snapshot();
         Drawing drawing = new Drawing();
         drawing.take(input, Frame.ofPixels(input.width(), input.rows()), false);
         assertThat(drawing.declined.isFrame() || drawing.declined.isAnyBody()).isFalse();

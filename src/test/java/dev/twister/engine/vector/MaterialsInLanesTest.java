@@ -32,8 +32,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Glass, rough surfaces, textures and the lens in lanes equal the scalar kernel's, in random scenes and also with cameras inside
- * glass.
+ * Glass, rough surfaces, textures and the lens in lanes equal the scalar kernel's, in random scenes and also with
+ * cameras inside glass.
  */
 final class MaterialsInLanesTest {
     private static final int NEVER_WALK = Integer.MAX_VALUE;

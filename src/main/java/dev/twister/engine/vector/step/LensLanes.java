@@ -34,8 +34,7 @@ final class LensLanes {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
-            FloatVector radius =
-                    Lanes.load(t, at + Tile.FIRST_NUMBER).sqrt().mul(aperture);
+            FloatVector radius = Lanes.load(t, at + Tile.FIRST_NUMBER).sqrt().mul(aperture);
             FloatVector turns = Lanes.load(t, at + Tile.SECOND_NUMBER).add(turn);
             FloatVector sine = Sine.ofTurns(turns.blend(turns.sub(1f), turns.compare(VectorOperators.GE, 1f)));
             radius.mul(sine).intoArray(t, at + column);

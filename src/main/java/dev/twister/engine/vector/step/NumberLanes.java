@@ -12,8 +12,8 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The random numbers of a sample for rough surfaces and for the lens: {@link Noise#number}. Each method hashes once: with more, C2 makes
- * objects of vectors.
+ * The random numbers of a sample for rough surfaces and for the lens: {@link Noise#number}. Each method hashes once:
+ * with more, C2 makes objects of vectors.
  */
 final class NumberLanes {
     private NumberLanes() {}

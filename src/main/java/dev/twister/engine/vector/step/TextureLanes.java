@@ -98,8 +98,7 @@ public final class TextureLanes {
             VectorMask<Float> mesh = hit.compare(VectorOperators.GE, firstMesh);
             VectorMask<Float> repeats = mesh.or(hit.compare(VectorOperators.EQ, Layout.PLANE));
             FloatVector u = Lanes.load(t, at + Tile.POINT_X).blend(Lanes.load(t, at + Tile.TEXTURE_U), mesh);
-            FloatVector v =
-                    Lanes.load(t, at + Tile.POINT_Z).neg().blend(Lanes.load(t, at + Tile.TEXTURE_V), mesh);
+            FloatVector v = Lanes.load(t, at + Tile.POINT_Z).neg().blend(Lanes.load(t, at + Tile.TEXTURE_V), mesh);
             Lanes.load(t, at + Tile.SKY_TO_RIGHT)
                     .blend(u.sub(Lanes.floor(u)), repeats)
                     .intoArray(t, at + Tile.SKY_TO_RIGHT);
