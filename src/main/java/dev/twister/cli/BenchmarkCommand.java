@@ -20,7 +20,6 @@ import dev.twister.render.SceneInputs;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.scene.format.SceneReader;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -84,7 +83,8 @@ final class BenchmarkCommand implements Callable<Integer> {
             completionCandidates = Completions.OfScene.class,
             arity = "0..1",
             defaultValue = "benchmark",
-            description = "A scene file, or the name of a shipped scene (default: ${DEFAULT-VALUE}).")
+            description =
+                    "A scene file, the name of a shipped scene, or - for standard input (default: ${DEFAULT-VALUE}).")
     private String sceneName;
 
     @Option(
@@ -141,10 +141,10 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(
             names = "--json",
             paramLabel = "FILE",
-            description = "Also write the report as JSON; a .jsonl file gets it as a new line.")
+            description = "Also write the report as JSON; a .jsonl file gets it as a new line. - for standard output.")
     private Optional<Path> json = Optional.empty();
 
-    @Option(names = "--csv", paramLabel = "FILE", description = "Also write the report as CSV.")
+    @Option(names = "--csv", paramLabel = "FILE", description = "Also write the report as CSV; - for standard output.")
     private Optional<Path> csv = Optional.empty();
 
     @Option(
@@ -154,7 +154,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     private boolean paper;
 
     @Option(
-            names = "--output",
+            names = {"-o", "--output"},
             paramLabel = "DIR",
             description = "The folder for --paper (default: " + PAPER_FOLDER + ").")
     private Optional<Path> output = Optional.empty();
@@ -196,11 +196,15 @@ final class BenchmarkCommand implements Callable<Integer> {
         files.check();
         // An error in these should not come out once for each JVM.
         engineIds();
-        files.checkKeeps(List.of(SceneFiles.find(sceneName)));
+        Path file = SceneFiles.find(sceneName);
+        if (file.equals(SceneFiles.STANDARD_INPUT)) {
+            throw new BadInputException("--jit reads the scene several times; give a file instead of standard input");
+        }
+        files.checkKeeps(List.of(file));
         List<String> arguments = spec.commandLine().getParseResult().originalArgs();
         JitReport report =
                 new JitRuns(MAIN_CLASS, arguments).run(jits.stream().distinct().toList());
-        spec.commandLine().getOut().println(report.table());
+        files.tables(spec.commandLine()).println(report.table());
         if (json.isPresent()) {
             report.write(json.get());
         }
@@ -220,7 +224,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         }
         List<String> ids = engineIds();
         BenchmarkPlan plan = limited(quick ? PaperPlan.quick(ids) : PaperPlan.full(ids));
-        Scene scene = SceneReader.read(SceneFiles.find(sceneName));
+        Scene scene = SceneFiles.read(SceneFiles.find(sceneName));
         Path folder = output.orElse(Path.of(PAPER_FOLDER));
         if (Files.exists(folder) && !Files.isDirectory(folder)) {
             throw new BadInputException("--output is " + folder + ", but must be a folder");
@@ -251,7 +255,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         ReportFiles files = new ReportFiles(json, csv);
         files.check();
         Path file = SceneFiles.find(sceneName);
-        Scene scene = SceneReader.read(file);
+        Scene scene = SceneFiles.read(file);
         Rendering settings = shading.over(scene.rendering());
         BenchmarkPlan plan = limited(BenchmarkPlan.bySize(
                 engineIds(),
@@ -261,7 +265,7 @@ final class BenchmarkCommand implements Callable<Integer> {
                 quick ? 10 : 30));
         files.checkKeeps(SceneInputs.of(file, scene));
         BenchmarkReport report = run(plan, scene, files);
-        spec.commandLine().getOut().println(ReportTable.of(report));
+        files.tables(spec.commandLine()).println(ReportTable.of(report));
         files.write(report);
         return report.passed() ? ExitCode.OK : ExitCode.FAILED;
     }
@@ -294,7 +298,7 @@ final class BenchmarkCommand implements Callable<Integer> {
                 : Optional.empty();
         int stepsToStart = motion.isOn() ? Simulation.stepsIn(motion.startSeconds()) : 0;
         try (BenchmarkLine line = new BenchmarkLine(
-                spec.commandLine().getOut(), spec.commandLine().getErr(), plan, stepsToStart, files)) {
+                files.tables(spec.commandLine()), spec.commandLine().getErr(), plan, stepsToStart, files)) {
             return Benchmark.run(Benchmark::open, plan, sceneName, world, moving, line);
         }
     }

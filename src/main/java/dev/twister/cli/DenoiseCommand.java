@@ -3,7 +3,6 @@ package dev.twister.cli;
 import dev.twister.denoise.Denoiser;
 import dev.twister.denoise.Denoisers;
 import dev.twister.files.InputFile;
-import dev.twister.files.PrintableText;
 import dev.twister.image.ExrExtent;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
@@ -80,11 +79,8 @@ final class DenoiseCommand implements Callable<Integer> {
         DenoisingNotes.print(denoised, file.toString(), spec.commandLine().getErr());
         ExrPicture picture = denoised.picture();
         LinearPictureFile.write(output, picture, settings, tone);
-        spec.commandLine()
-                .getOut()
-                .printf(
-                        "%s: %d x %d, denoised%n",
-                        PrintableText.line(output.toString()), picture.width(), picture.height());
+        OutputFile.notes(spec.commandLine(), output)
+                .printf("%s: %d x %d, denoised%n", OutputFile.name(output), picture.width(), picture.height());
         return ExitCode.OK;
     }
 

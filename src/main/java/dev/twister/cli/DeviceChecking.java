@@ -27,7 +27,7 @@ record DeviceChecking(DeviceCheckPlan plan, PrintWriter out, PrintWriter err) {
      */
     boolean run(List<EngineOffer> offers, Optional<Path> json) throws IOException {
         if (json.isPresent()) {
-            OutputFile.check("--json", json.get());
+            OutputFile.checkText("--json", json.get());
         }
         List<CheckedScene> scenes = new ArrayList<>();
         for (String name : SceneFiles.shipped()) {

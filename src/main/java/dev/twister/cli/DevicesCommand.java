@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -59,7 +60,10 @@ final class DevicesCommand implements Callable<Integer> {
             description = "Repeatable; with --check. Default: every engine except auto.")
     private List<String> engines = new ArrayList<>();
 
-    @Option(names = "--json", paramLabel = "FILE", description = "With --check: also write the results as JSON.")
+    @Option(
+            names = "--json",
+            paramLabel = "FILE",
+            description = "With --check: also write the results as JSON; - for standard output.")
     private Optional<Path> json = Optional.empty();
 
     @Override
@@ -72,8 +76,10 @@ final class DevicesCommand implements Callable<Integer> {
             throw new BadInputException("--check and --measure exclude each other; give one of them");
         }
         if (check) {
-            DeviceChecking checking = new DeviceChecking(
-                    DeviceCheckPlan.USUAL, out, spec.commandLine().getErr());
+            CommandLine command = spec.commandLine();
+            PrintWriter table =
+                    json.map(file -> OutputFile.notes(command, file)).orElse(out);
+            DeviceChecking checking = new DeviceChecking(DeviceCheckPlan.USUAL, table, command.getErr());
             return checking.run(EngineNames.chosen(engines), json) ? ExitCode.OK : ExitCode.FAILED;
         }
         list(out);

@@ -7,7 +7,6 @@ import dev.twister.explain.PixelPath;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.scene.format.SceneReader;
 import dev.twister.world.World;
 import java.io.PrintWriter;
 import java.util.Optional;
@@ -40,7 +39,7 @@ final class ExplainCommand implements Callable<Integer> {
     @Parameters(
             paramLabel = "SCENE",
             completionCandidates = Completions.OfScene.class,
-            description = "A scene file, or the name of a shipped scene.")
+            description = "A scene file, the name of a shipped scene, or - for standard input.")
     private String sceneName;
 
     @Option(
@@ -84,7 +83,7 @@ final class ExplainCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Scene scene = sky.over(SceneReader.read(SceneFiles.find(sceneName)));
+        Scene scene = sky.over(SceneFiles.read(SceneFiles.find(sceneName)));
         Rendering settings = settings(scene.rendering());
         Ranges.check("--pixel's column", pixel.column(), 0, settings.width() - 1);
         Ranges.check("--pixel's row", pixel.row(), 0, settings.height() - 1);

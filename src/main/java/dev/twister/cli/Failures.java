@@ -56,7 +56,10 @@ final class Failures {
 
     /** What a command threw; whatever is not foreseen is a bug of Twister's and shows where it happened. */
     static int explain(Exception failure, CommandLine command, ParseResult parsed) {
-        PrintWriter err = command.getErr();
+        PrintWriter err = root(command).getErr();
+        if (CommonOptions.isGiven(CommonOptions.VERBOSE, command)) {
+            failure.printStackTrace(err);
+        }
         return switch (failure) {
             case BadInputException _,
                     SceneException _,
@@ -78,6 +81,11 @@ final class Failures {
                 yield ExitCode.FAILED;
             }
         };
+    }
+
+    /** Its errors are printed with {@code --quiet} too. */
+    private static CommandLine root(CommandLine command) {
+        return command.getParent() == null ? command : root(command.getParent());
     }
 
     private static int say(PrintWriter err, Exception failure) {

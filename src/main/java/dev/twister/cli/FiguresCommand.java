@@ -32,7 +32,7 @@ final class FiguresCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             paramLabel = "FILE",
             defaultValue = "figures.html",
-            description = "The page (default: ${DEFAULT-VALUE}).")
+            description = "The page (default: ${DEFAULT-VALUE}); - for standard output.")
     private Path output;
 
     @Option(
@@ -46,12 +46,11 @@ final class FiguresCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         Engines.offer(engineId).check();
-        OutputFile.check("--output", output);
+        OutputFile.checkText("--output", output);
         List<RenderedFigure> figures = PaperFigures.render(twister.runner()::require, Home.folder(), engineId);
         FiguresPage.write(figures, output);
-        spec.commandLine()
-                .getOut()
-                .println(output + ": " + figures.size() + " figures, "
+        OutputFile.notes(spec.commandLine(), output)
+                .println(OutputFile.name(output) + ": " + figures.size() + " figures, "
                         + figures.stream()
                                 .mapToInt(figure -> figure.pictures().size())
                                 .sum()

@@ -90,8 +90,7 @@ final class FilmCommand implements Callable<Integer> {
             }
             writing.finish();
         }
-        spec.commandLine()
-                .getOut()
+        OutputFile.notes(spec.commandLine(), film.file())
                 .printf(
                         "%s: %d frames of %d x %d, %s%n",
                         PrintableText.line(film.file().toString()),

@@ -5,14 +5,17 @@ import dev.twister.gui.FirstScene;
 import dev.twister.gui.Gui;
 import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.studio.OpenedScene;
+import dev.twister.mesh.MeshStage;
 import dev.twister.scene.SceneException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 
 /** {@code twister gui}: the window. */
 @Command(
@@ -26,9 +29,12 @@ final class GuiCommand implements Callable<Integer> {
             paramLabel = "SCENE",
             completionCandidates = Completions.OfScene.class,
             arity = "0..1",
-            description = "A scene file, the name of a shipped scene, or a panorama to see a scene under. "
+            description = "A scene file, the name of a shipped scene, a mesh file, or a panorama to see a scene under. "
                     + "Default: " + FIRST_SCENE + ".")
     private Optional<String> sceneName = Optional.empty();
+
+    @Spec
+    private CommandSpec spec;
 
     @Option(
             names = "--engine",
@@ -49,10 +55,19 @@ final class GuiCommand implements Callable<Integer> {
                 .ifPresent(id -> Engines.offer(id).check());
         Gui.run(
                 panorama.map(sky -> FirstScene.of(OpenedScene.readUnder(sky, file)))
-                        .orElseGet(() -> first(file)),
+                        .orElseGet(() -> Model.isNamed(file) ? staged(file) : first(file)),
                 engineId,
                 new ShippedFolders(Home.scenes(), Home.skyboxes()));
         return ExitCode.OK;
+    }
+
+    /** A mesh as 'twister view' shows it. */
+    private FirstScene staged(Path mesh) {
+        Model model = Model.read(
+                mesh,
+                new ModelOptions().pose(),
+                SkyFiles.warnings(spec.commandLine().getErr()));
+        return FirstScene.of(new OpenedScene(MeshStage.sceneFile(mesh), model.scene()));
     }
 
     /** The window says what is wrong with a file that is there: nobody sees the last line of a double click. */

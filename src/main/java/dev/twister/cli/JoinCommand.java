@@ -4,7 +4,6 @@ import dev.twister.denoise.Denoiser;
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.denoise.Denoisers;
 import dev.twister.files.InputFile;
-import dev.twister.files.PrintableText;
 import dev.twister.image.ExrExtent;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
@@ -54,7 +53,8 @@ final class JoinCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description = "The picture: .exr keeps all channels; .hdr and .png keep the colors.")
+            description = "The picture: .exr keeps all channels; .hdr and .png keep the colors; - writes a PNG"
+                    + " to standard output.")
     private Path output;
 
     @Option(
@@ -88,12 +88,11 @@ final class JoinCommand implements Callable<Integer> {
         ExrPicture joined = relit(joined());
         ExrPicture picture = offer.map(found -> denoised(joined, found)).orElse(joined);
         LinearPictureFile.write(output, picture, settings, tone);
-        spec.commandLine()
-                .getOut()
+        OutputFile.notes(spec.commandLine(), output)
                 .printf(
                         Locale.ROOT,
                         "%s: %d x %d from %d %s, samples: %s%n",
-                        PrintableText.line(output.toString()),
+                        OutputFile.name(output),
                         picture.width(),
                         picture.height(),
                         parts.size(),

@@ -19,10 +19,12 @@ final class LinearPictureFile {
 
     /** Rejects files of other formats, and places where nothing can be written. */
     static void check(Path output) {
-        if (List.of(".exr", ".hdr", ".png").stream().noneMatch(ending -> OutputFile.endsIn(output, ending))) {
-            throw new BadInputException("--output is " + output + ", but must end in .exr, .hdr or .png");
+        if (!OutputFile.isStandardOutput(output)
+                && List.of(".exr", ".hdr", ".png").stream().noneMatch(ending -> OutputFile.endsIn(output, ending))) {
+            throw new BadInputException(
+                    "--output is " + output + ", but must end in .exr, .hdr or .png, or be - for a PNG");
         }
-        OutputFile.check("--output", output);
+        OutputFile.checkBinary("--output", output);
     }
 
     /**

@@ -8,6 +8,7 @@ import dev.twister.scene.Integrator;
 import dev.twister.scene.ToneMap;
 import dev.twister.sky.ShippedSky;
 import java.io.PrintWriter;
+import java.io.Writer;
 import java.nio.charset.Charset;
 import java.nio.file.Path;
 import picocli.CommandLine;
@@ -66,8 +67,19 @@ public final class Main {
         if (helped != null) {
             return helped;
         }
-        parsed.commandSpec().commandLine().setOut(printable(out));
-        return new RunLast().execute(parsed);
+        CommandLine command = parsed.commandSpec().commandLine();
+        command.setOut(printable(out));
+        CommandLine last = parsed.asCommandLineList().getLast();
+        if (CommonOptions.isGiven(CommonOptions.QUIET, last)) {
+            // Failures are told by the command line above it.
+            command.getSubcommands().values().forEach(sub -> sub.setErr(new PrintWriter(Writer.nullWriter())));
+        }
+        RunFigures figures = RunFigures.start();
+        int exitCode = new RunLast().execute(parsed);
+        if (CommonOptions.isGiven(CommonOptions.VERBOSE, last)) {
+            figures.print(command.getErr());
+        }
+        return exitCode;
     }
 
     private static PrintWriter printable(PrintWriter writer) {

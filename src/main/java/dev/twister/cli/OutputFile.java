@@ -1,21 +1,63 @@
 package dev.twister.cli;
 
+import dev.twister.files.PrintableText;
 import dev.twister.files.SystemReason;
 import dev.twister.files.WholeFile;
-import dev.twister.render.RenderOutput;
 import dev.twister.render.SceneInputs;
+import java.io.Console;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import picocli.CommandLine;
 
 /** Checks output files before the work begins. */
 final class OutputFile {
     private OutputFile() {}
 
     static boolean isStandardOutput(Path output) {
-        return output.equals(RenderOutput.STANDARD_OUTPUT);
+        return output.equals(WholeFile.STANDARD_OUTPUT);
+    }
+
+    /**
+     * Checks a file of text, or standard output.
+     *
+     * @throws BadInputException if it cannot be written
+     */
+    static void checkText(String option, Path file) {
+        if (!isStandardOutput(file)) {
+            check(option, file);
+        }
+    }
+
+    /**
+     * Checks a file of binary data, or standard output.
+     *
+     * @throws BadInputException if it cannot be written, or standard output is a terminal
+     */
+    static void checkBinary(String option, Path file) {
+        if (!isStandardOutput(file)) {
+            check(option, file);
+        } else if (Optional.ofNullable(System.console())
+                .map(Console::isTerminal)
+                .orElse(false)) {
+            throw new BadInputException(
+                    option + " is -, but standard output is a terminal; redirect it to a file or a program");
+        }
+    }
+
+    /** The file's name for people. */
+    static String name(Path file) {
+        return isStandardOutput(file) ? "standard output" : PrintableText.line(file.toString());
+    }
+
+    /** Where a command says what it wrote: nowhere with {@code --quiet}, and not among what it writes. */
+    static PrintWriter notes(CommandLine command, Path file) {
+        boolean isQuiet = CommonOptions.isGiven(CommonOptions.QUIET, command);
+        return isQuiet || isStandardOutput(file) ? command.getErr() : command.getOut();
     }
 
     static void check(String option, Path file) {
@@ -73,7 +115,7 @@ final class OutputFile {
      * @throws BadInputException where the result would replace one of them
      */
     static void checkKeeps(String option, Path file, List<Path> inputs) throws IOException {
-        if (SceneInputs.areReplacedBy(file, inputs)) {
+        if (!isStandardOutput(file) && SceneInputs.areReplacedBy(file, inputs)) {
             throw new BadInputException(
                     option + " would replace " + file + ", which is read for it; give another file");
         }

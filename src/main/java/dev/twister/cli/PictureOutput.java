@@ -7,7 +7,6 @@ import dev.twister.render.FrameRange;
 import dev.twister.render.PictureFormat;
 import dev.twister.render.RenderOutput;
 import dev.twister.world.Picture;
-import java.io.Console;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -45,7 +44,7 @@ final class PictureOutput {
                     + " names, which only an .exr file can hold; give one name, or another file");
         }
         if (output.isStandardOutput()) {
-            checkNoTerminal();
+            OutputFile.checkBinary(OPTION, file);
             return output;
         }
         if (PictureFormat.of(file).isEmpty()) {
@@ -61,13 +60,6 @@ final class PictureOutput {
     static void checkPlace(Path output) {
         if (PictureFormat.of(output).isPresent()) {
             OutputFile.check(OPTION, output);
-        }
-    }
-
-    private static void checkNoTerminal() {
-        if (Optional.ofNullable(System.console()).map(Console::isTerminal).orElse(false)) {
-            throw new BadInputException(
-                    OPTION + " is -, but standard output is a terminal; redirect it to a file or a program");
         }
     }
 

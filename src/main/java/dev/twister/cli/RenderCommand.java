@@ -20,7 +20,6 @@ import dev.twister.render.Sampling;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.io.IOException;
@@ -74,9 +73,11 @@ final class RenderCommand implements Callable<Integer> {
     @Parameters(
             paramLabel = "SCENE",
             completionCandidates = Completions.OfScene.class,
-            description = "A scene file, the name of a shipped scene, or a mesh file: OBJ, glTF, GLB, PLY or STL. Also"
-                    + " a folder of mesh files, or a pattern such as 'models/*.glb'; then FILE is the folder of their"
-                    + " pictures.")
+            description =
+                    "A scene file, the name of a shipped scene, - for a scene from standard input, or a mesh file:"
+                            + " OBJ, glTF, GLB, PLY or STL. Also"
+                            + " a folder of mesh files, or a pattern such as 'models/*.glb'; then FILE is the folder of their"
+                            + " pictures.")
     private String sceneName;
 
     @Option(
@@ -199,7 +200,7 @@ final class RenderCommand implements Callable<Integer> {
         if (mesh.isEmpty() && model.areGiven()) {
             throw new BadInputException("--up and --rotate are for mesh files, but " + file + " is a scene");
         }
-        Scene scene = sky.over(mesh.isPresent() ? mesh.get().scene() : SceneReader.read(file));
+        Scene scene = sky.over(mesh.isPresent() ? mesh.get().scene() : SceneFiles.read(file));
         Optional<MotionFile> recorded = film.open(scene);
         try {
             RenderOrder order = order(scene, picture, recorded);
@@ -269,9 +270,8 @@ final class RenderCommand implements Callable<Integer> {
         } catch (BlackPictureException black) {
             throw new BadInputException("--exposure is auto, but " + black.getMessage() + "; give a number of stops");
         }
-        // The summary must not end up in a picture.
-        PrintWriter summary = order.output().isStandardOutput() ? command.getErr() : command.getOut();
-        summary.println(PictureOutput.name(order.output()) + ": " + summary(order, result, nanos));
+        PrintWriter notes = OutputFile.notes(command, order.output().file());
+        notes.println(PictureOutput.name(order.output()) + ": " + summary(order, result, nanos));
     }
 
     private String summary(RenderOrder order, RenderResult result, long nanos) {

@@ -4,11 +4,14 @@ import dev.twister.bench.BenchmarkReport;
 import dev.twister.bench.CsvReport;
 import dev.twister.bench.JsonReport;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
+import picocli.CommandLine;
 
 /**
  * Where a benchmark's report goes. One that was stopped goes beside it, so that an older, finished one is not lost for
@@ -23,8 +26,8 @@ record ReportFiles(Optional<Path> json, Optional<Path> csv) {
      * @throws BadInputException where one cannot, or would replace the other
      */
     void check() throws IOException {
-        json.ifPresent(file -> OutputFile.check("--json", file));
-        csv.ifPresent(file -> OutputFile.check("--csv", file));
+        json.ifPresent(file -> OutputFile.checkText("--json", file));
+        csv.ifPresent(file -> OutputFile.checkText("--csv", file));
         if (json.isPresent() && csv.isPresent() && OutputFile.replaces(json.get(), csv.get())) {
             throw new BadInputException("--json and --csv are both " + csv.get() + ", but must be two files");
         }
@@ -42,6 +45,12 @@ record ReportFiles(Optional<Path> json, Optional<Path> csv) {
         if (csv.isPresent()) {
             OutputFile.checkKeeps("--csv", csv.get(), inputs);
         }
+    }
+
+    /** Where the table goes: not among a report on standard output. */
+    PrintWriter tables(CommandLine command) {
+        boolean taken = Stream.concat(json.stream(), csv.stream()).anyMatch(OutputFile::isStandardOutput);
+        return taken ? command.getErr() : command.getOut();
     }
 
     /**
@@ -88,7 +97,8 @@ record ReportFiles(Optional<Path> json, Optional<Path> csv) {
 
     /** Nothing goes beside a device or a pipe. */
     private static Optional<Path> beside(Optional<Path> file) {
-        return file.filter(path -> Files.notExists(path) || Files.isRegularFile(path))
+        return file.filter(path -> !OutputFile.isStandardOutput(path))
+                .filter(path -> Files.notExists(path) || Files.isRegularFile(path))
                 .map(ReportFiles::beside);
     }
 

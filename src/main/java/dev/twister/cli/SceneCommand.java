@@ -5,7 +5,6 @@ import dev.twister.mesh.MeshFile;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
-import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.ShippedSky;
 import dev.twister.world.SceneMeshes;
@@ -43,7 +42,7 @@ final class SceneCommand implements Callable<Integer> {
                 names = "--check",
                 required = true,
                 paramLabel = "FILE",
-                description = "Check this scene file, and say where and why it is not valid.")
+                description = "Check this scene file, or - for standard input, and say where and why it is not valid.")
         private Optional<String> checked = Optional.empty();
 
         @ArgGroup(exclusive = false)
@@ -89,7 +88,7 @@ final class SceneCommand implements Callable<Integer> {
 
     private String check(String name) {
         Path file = SceneFiles.find(name);
-        Scene scene = SceneReader.read(file);
+        Scene scene = SceneFiles.read(file);
         SceneMeshes meshes = SkyFiles.world(scene, spec.commandLine().getErr()).meshes();
         return file + ": valid, " + spheres(scene)
                 + also(scene.materials().size(), "material")
@@ -120,7 +119,8 @@ final class SceneCommand implements Callable<Integer> {
         SkyFiles.read(scene.sky().file(), spec.commandLine().getErr());
         SceneOutput.write(scene, wanted.output, spec.commandLine().getOut());
         if (toFile) {
-            say(wanted.output + ": " + spheres(scene));
+            OutputFile.notes(spec.commandLine(), wanted.output)
+                    .println(PrintableText.line(wanted.output + ": " + spheres(scene)));
         }
     }
 

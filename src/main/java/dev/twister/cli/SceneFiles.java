@@ -1,5 +1,8 @@
 package dev.twister.cli;
 
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneException;
+import dev.twister.scene.format.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -11,10 +14,24 @@ import java.util.stream.Stream;
 /** Finds the scene that an argument means: a file, or a shipped scene by its name. */
 final class SceneFiles {
     static final String ENDING = ".json";
+    /** A scene that is read from standard input. */
+    static final Path STANDARD_INPUT = Path.of("-");
+
     private static final String SCHEMA_ENDING = ".schema.json";
     private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_-]+");
 
     private SceneFiles() {}
+
+    /**
+     * Reads a file that {@link #find} has found, or standard input.
+     *
+     * @throws SceneException if it is not a valid scene
+     */
+    static Scene read(Path file) {
+        return file.equals(STANDARD_INPUT)
+                ? SceneReader.read(System.in, "standard input", Path.of(""))
+                : SceneReader.read(file);
+    }
 
     /** A file that is there wins over a shipped scene; a path that is neither is left to the reader to complain of. */
     static Path find(String fileOrName) {
@@ -22,6 +39,9 @@ final class SceneFiles {
             throw new BadInputException("the scene's name is empty; give a scene file, or the name of a shipped scene");
         }
         Path file = path(fileOrName);
+        if (file.equals(STANDARD_INPUT)) {
+            return file;
+        }
         if (Files.isRegularFile(file) || !NAME.matcher(fileOrName).matches()) {
             return file;
         }

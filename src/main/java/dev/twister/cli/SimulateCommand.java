@@ -9,7 +9,6 @@ import dev.twister.physics.Simulation;
 import dev.twister.render.FrameRange;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Scene;
-import dev.twister.scene.format.SceneReader;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -45,7 +44,7 @@ final class SimulateCommand implements Callable<Integer> {
     @Parameters(
             paramLabel = "SCENE",
             completionCandidates = Completions.OfScene.class,
-            description = "A scene file, or the name of a shipped scene.")
+            description = "A scene file, the name of a shipped scene, or - for standard input.")
     private String sceneName;
 
     @Option(
@@ -82,12 +81,12 @@ final class SimulateCommand implements Callable<Integer> {
         }
         double framesPerSecond = MotionOptions.checkRate(rate);
         Path file = SceneFiles.find(sceneName);
-        Scene scene = SceneReader.read(file);
+        Scene scene = SceneFiles.read(file);
         OutputFile.check("--output", output);
         OutputFile.checkKeeps("--output", output, SceneInputs.of(file, scene));
         int kept = record(scene, framesPerSecond);
         CommandLine command = spec.commandLine();
-        command.getOut()
+        OutputFile.notes(command, output)
                 .printf(
                         "%s: frames %d to %d of %d bodies%s%n",
                         PrintableText.line(output.toString()),
@@ -134,8 +133,7 @@ final class SimulateCommand implements Callable<Integer> {
         try (MotionFile motion = MotionFile.open(output, scene)) {
             PointCache.write(points, motion, frames.first(), frames.last());
         }
-        spec.commandLine()
-                .getOut()
+        OutputFile.notes(spec.commandLine(), output)
                 .printf("%s: a point cache of %d frames%n", PrintableText.line(points.toString()), frames.count());
     }
 }

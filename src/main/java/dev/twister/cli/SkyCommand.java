@@ -1,6 +1,5 @@
 package dev.twister.cli;
 
-import dev.twister.files.PrintableText;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PictureSize;
 import dev.twister.sky.Daylight;
@@ -38,7 +37,7 @@ final class SkyCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description = "The panorama, .hdr.")
+            description = "The panorama, .hdr; - for standard output.")
     private Path output;
 
     @Option(
@@ -92,18 +91,17 @@ final class SkyCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        if (!OutputFile.endsIn(output, ".hdr")) {
-            throw new BadInputException("--output is " + output + ", but must end in .hdr");
+        if (!OutputFile.isStandardOutput(output) && !OutputFile.endsIn(output, ".hdr")) {
+            throw new BadInputException("--output is " + output + ", but must end in .hdr, or be -");
         }
-        OutputFile.check("--output", output);
+        OutputFile.checkBinary("--output", output);
         Ranges.check("--size's height", size.height(), 1, DaylightSky.MAX_HEIGHT);
         Daylight daylight = daylight();
         SizeCheck.check(size, BYTES_PER_TEXEL);
         Skybox sky = DaylightSky.panorama(size.width(), size.height(), daylight);
         HdrWriter.write(output, sky.width(), sky.height(), sky.radiance());
-        spec.commandLine()
-                .getOut()
-                .println(PrintableText.line(output.toString()) + ": " + sky.width() + " x " + sky.height());
+        OutputFile.notes(spec.commandLine(), output)
+                .println(OutputFile.name(output) + ": " + sky.width() + " x " + sky.height());
         return ExitCode.OK;
     }
 

@@ -3,6 +3,7 @@ package dev.twister.cli;
 import java.util.concurrent.Callable;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
 /** {@code twister} itself: opens the window. */
@@ -26,10 +27,25 @@ import picocli.CommandLine.ScopeType;
             SkyCommand.class,
             SceneCommand.class,
             ViewCommand.class,
-            AutoComplete.GenerateCompletion.class
+            AutoComplete.GenerateCompletion.class,
+            PackageFilesCommand.class
         })
 final class TwisterCommand implements Callable<Integer> {
     private final CommandRunner runner;
+
+    @Option(
+            names = {"-q", CommonOptions.QUIET},
+            scope = ScopeType.INHERIT,
+            description = "Print results and errors alone: no progress, warnings or notes on what was written.")
+    @SuppressWarnings("unused") // asked of the command line, see CommonOptions
+    private boolean quiet;
+
+    @Option(
+            names = CommonOptions.VERBOSE,
+            scope = ScopeType.INHERIT,
+            description = "Print the version, the time and the memory of the run, and the stack trace of a failure.")
+    @SuppressWarnings("unused")
+    private boolean verbose;
 
     /** @param runner runs the command lines of which commands consist */
     TwisterCommand(CommandRunner runner) {

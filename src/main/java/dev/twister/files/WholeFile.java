@@ -1,6 +1,8 @@
 package dev.twister.files;
 
 import java.io.BufferedOutputStream;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AccessDeniedException;
@@ -11,6 +13,9 @@ import java.nio.file.Path;
 
 /** Writes a file whole or not at all: readers of its path see the old content or the new, never a part. */
 public final class WholeFile {
+    /** Written to in place of a file of that name in the current folder, which is {@code ./-}. */
+    public static final Path STANDARD_OUTPUT = Path.of("-");
+
     private static final int BUFFER_BYTES = 1 << 16;
 
     /** As many links as systems follow. */
@@ -26,12 +31,17 @@ public final class WholeFile {
     private WholeFile() {}
 
     /**
-     * Replaces a file as {@link #replace} does, and tells what failed; a device or a pipe is written to directly.
+     * Replaces a file as {@link #replace} does, and tells what failed; a device, a pipe and {@link #STANDARD_OUTPUT}
+     * are written to directly.
      *
      * @throws IOException naming the target and the cause: no such folder, the target is a folder, no permission, or
      *     whatever the disk or the content reported
      */
     public static void write(Path target, Content content) throws IOException {
+        if (target.equals(STANDARD_OUTPUT)) {
+            writeToStandardOutput(content);
+            return;
+        }
         if (Files.isDirectory(target)) {
             throw new IOException("cannot write " + target + ": it is a folder");
         }
@@ -46,6 +56,17 @@ public final class WholeFile {
             }
         } catch (IOException failure) {
             throw explained(target, failure);
+        }
+    }
+
+    private static void writeToStandardOutput(Content content) throws IOException {
+        // Not System.out, which hides errors. Not closed, as more may follow.
+        OutputStream out = new BufferedOutputStream(new FileOutputStream(FileDescriptor.out), BUFFER_BYTES);
+        try {
+            content.writeTo(out);
+            out.flush();
+        } catch (IOException failure) {
+            throw new IOException("cannot write to standard output: " + SystemReason.of(failure), failure);
         }
     }
 

@@ -123,7 +123,6 @@ public final class MainWindow implements AutoCloseable {
     public void close() {
         pulses.close();
         stage.getScene().removePostLayoutPulseListener(afterLayout);
-        status.close();
         workbench.close();
         studio.close();
     }

@@ -5,7 +5,7 @@ import dev.twister.gui.files.Reading;
 import dev.twister.gui.files.ReadingView;
 import dev.twister.gui.studio.StatusText;
 import dev.twister.gui.studio.Studio;
-import javafx.animation.PauseTransition;
+import java.util.concurrent.TimeUnit;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.Scene;
@@ -16,16 +16,15 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
-import javafx.util.Duration;
 
 /** One line under the picture: what is drawn, and what is going on. */
-final class StatusLine extends HBox implements AutoCloseable {
-    private static final Duration NOTICE_TIME = Duration.seconds(10);
-    private static final Duration LEAST_TIME = Duration.seconds(1);
+final class StatusLine extends HBox {
+    private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(10);
+    private static final long LEAST_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final Studio studio;
     private final ReadingView readingView;
-    private final PauseTransition goodForAWhile = new PauseTransition(NOTICE_TIME);
+    private long noticedNanos;
 
     StatusLine(Studio studio, Reading reading) {
         this.studio = studio;
@@ -35,7 +34,6 @@ final class StatusLine extends HBox implements AutoCloseable {
         facts.setText("starting…");
         Label message = aside("message");
         Label notice = aside("notice");
-        goodForAWhile.setOnFinished(_ -> studio.notice(""));
         Region gap = new Region();
         setHgrow(gap, Priority.ALWAYS);
         readingView = new ReadingView(studio, reading);
@@ -46,9 +44,7 @@ final class StatusLine extends HBox implements AutoCloseable {
                         .ifPresent(now -> facts.setText(StatusText.facts(now))));
         studio.noticeProperty().subscribe(text -> {
             notice.setText(text);
-            if (!text.isEmpty()) {
-                goodForAWhile.playFromStart();
-            }
+            noticedNanos = System.nanoTime();
         });
         studio.drawingProperty().subscribe(status -> message.setText(StatusText.message(status)));
     }
@@ -70,14 +66,18 @@ final class StatusLine extends HBox implements AutoCloseable {
 
     /** A notice that has just come was not read yet. */
     private void clearOld() {
-        if (goodForAWhile.getCurrentTime().greaterThan(LEAST_TIME)) {
-            goodForAWhile.stop();
+        clearAfter(LEAST_NANOS, System.nanoTime());
+    }
+
+    private void clearAfter(long age, long nanos) {
+        if (nanos - noticedNanos > age && !studio.noticeProperty().get().isEmpty()) {
             studio.notice("");
         }
     }
 
-    /** Called in every pulse. */
+    /** Called in every pulse, and a few times a second at rest: a timer of JavaFX would ask for pulses itself. */
     void pulse(long nanos) {
+        clearAfter(NOTICE_NANOS, nanos);
         readingView.pulse(nanos);
     }
 
@@ -96,11 +96,5 @@ final class StatusLine extends HBox implements AutoCloseable {
         label.setTooltip(new Tooltip());
         label.textProperty().subscribe(text -> label.getTooltip().setText(Tooltips.wrap(text)));
         return label;
-    }
-
-    /** Lets go of the notice's time, which would keep the window in memory. */
-    @Override
-    public void close() {
-        goodForAWhile.stop();
     }
 }

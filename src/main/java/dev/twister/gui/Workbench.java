@@ -3,7 +3,9 @@ package dev.twister.gui;
 import dev.twister.gui.bodies.AxisHandles;
 import dev.twister.gui.bodies.BodyActions;
 import dev.twister.gui.bodies.BodyMouse;
+import dev.twister.gui.bodies.BoxSelection;
 import dev.twister.gui.bodies.SelectionView;
+import dev.twister.gui.bodies.TransformKeys;
 import dev.twister.gui.camera.DopeSheet;
 import dev.twister.gui.camera.FilmBar;
 import dev.twister.gui.camera.KeyframeMenu;
@@ -24,9 +26,11 @@ import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.files.TitleDialog;
 import dev.twister.gui.gallery.SceneGallery;
 import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.BodyTransform;
 import dev.twister.gui.model.ShownPictures;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.panel.Panel;
+import dev.twister.gui.panel.PanelEdge;
 import dev.twister.gui.panel.PanelKeys;
 import dev.twister.gui.panel.SkyList;
 import dev.twister.gui.picture.ClippingView;
@@ -40,7 +44,9 @@ import dev.twister.gui.picture.PathTable;
 import dev.twister.gui.picture.PathView;
 import dev.twister.gui.picture.PictureActions;
 import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.picture.PictureViewer;
 import dev.twister.gui.picture.PixelInspector;
+import dev.twister.gui.picture.SafeFrame;
 import dev.twister.gui.picture.SplitView;
 import dev.twister.gui.picture.ZoomMouse;
 import dev.twister.gui.rendering.RenderActions;
@@ -49,12 +55,14 @@ import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
 import dev.twister.world.Picture;
 import java.util.Optional;
+import javafx.beans.property.BooleanProperty;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Node;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import javafx.stage.Screen;
@@ -83,11 +91,15 @@ final class Workbench implements AutoCloseable {
     private final PictureActions pictures;
     private final RenderActions render;
     private final HelpWindows help;
+    private final PictureViewer viewer;
     private final Panel panel;
     private final PixelInspector inspector;
     private final Comparison comparison;
     private final BodyActions bodies;
     private final KeyframeMenu keyframes;
+    private final TransformKeys transform;
+    private final BoxSelection box;
+    private final SafeFrame safeFrame;
     private final PathPick paths;
     private final BodyMouse bodyMouse;
     private final MenuView menu;
@@ -124,11 +136,16 @@ final class Workbench implements AutoCloseable {
         gallery = new SceneGallery(stage, settings, files);
         autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
+        viewer = new PictureViewer(stage, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
         comparison = new Comparison(studio, studio.assets()::drawingLoop);
         middle.getChildren().add(1, new SplitView(picture, studio, comparison));
         bodies = new BodyActions(studio, errands);
         keyframes = new KeyframeMenu(picture, studio);
+        transform = TransformKeys.install(middle, picture, studio);
+        box = new BoxSelection(middle, picture, studio);
+        safeFrame = new SafeFrame(picture, studio);
+        picture.addOverlay(safeFrame);
         inspector = new PixelInspector(picture, studio, errands);
         StackPane.setAlignment(inspector, Pos.TOP_RIGHT);
         paths = new PathPick(studio);
@@ -147,7 +164,7 @@ final class Workbench implements AutoCloseable {
                         Command.CLIPPING,
                         () -> clipping.shownProperty()
                                 .set(!clipping.shownProperty().get()));
-        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, actions);
+        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, errands, actions);
         panel.foldAsKept(settings);
         menu = new MenuView(studio, settings, files, actions, bodies::insert);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
@@ -161,11 +178,13 @@ final class Workbench implements AutoCloseable {
         menu.check(Command.FULL_SCREEN, stage.fullScreenProperty());
         menu.explainKeys(root.getScene(), studio);
         film = new FilmBar(studio, actions, picture::requestFocus);
+        menu.check(Command.SAFE_FRAME, safeFrame.shownProperty());
+        menu.check(Command.LOCK_CAMERA, studio.document().cameraLockedProperty());
         menu.check(Command.PLAY, studio.film().playingProperty());
         menu.check(Command.FILM, film.visibleProperty());
         root.setTop(menu);
         root.setBottom(new VBox(film, new DopeSheet(studio, film.lengthProperty(), film::hold), root.getBottom()));
-        root.setRight(panel);
+        root.setRight(new HBox(new PanelEdge(panel, settings), panel));
         AxisHandles handles = new AxisHandles(picture, studio, paths);
         SelectionView outline = new SelectionView(picture, studio, handles);
         picture.addOverlay(outline);
@@ -282,6 +301,16 @@ final class Workbench implements AutoCloseable {
         return settings;
     }
 
+    private static void toggle(BooleanProperty on) {
+        on.set(!on.get());
+    }
+
+    private void toggleLock() {
+        BooleanProperty locked = studio.document().cameraLockedProperty();
+        toggle(locked);
+        studio.notice(locked.get() ? "The camera is locked" : "The camera is free");
+    }
+
     private CommandActions actions(Runnable resetAll) {
         return new CommandActions()
                 .on(Command.NEW, files::newScene)
@@ -290,6 +319,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.SAVE, saving::save)
                 .on(Command.SAVE_AS, saving::saveAs)
                 .on(Command.TITLE, () -> TitleDialog.show(stage, studio))
+                .on(Command.VIEW_PICTURE, viewer::open)
                 .on(Command.SCREENSHOT, pictures::screenshot)
                 .on(Command.RENDER, render::show)
                 .on(Command.RECORD, pictures::toggleRecording)
@@ -305,6 +335,14 @@ final class Workbench implements AutoCloseable {
                 .on(Command.PASTE, bodies::paste)
                 .on(Command.DELETE, bodies::delete)
                 .on(Command.DROP, bodies::drop)
+                .on(Command.GRAB, () -> transform.start(BodyTransform.Mode.MOVE))
+                .on(Command.ROTATE, () -> transform.start(BodyTransform.Mode.ROTATE))
+                .on(Command.SCALE, () -> transform.start(BodyTransform.Mode.SCALE))
+                .on(Command.INVERT, studio.selection()::invert)
+                .on(Command.SAME_MATERIAL, studio.selection()::selectSameMaterial)
+                .on(Command.BOX, box::arm)
+                .on(Command.SAFE_FRAME, () -> toggle(safeFrame.shownProperty()))
+                .on(Command.LOCK_CAMERA, this::toggleLock)
                 .on(Command.SELECT_ALL, studio.selection()::selectAll)
                 .on(Command.NEXT, () -> bodies.selectAlong(1))
                 .on(Command.PREVIOUS, () -> bodies.selectAlong(-1))

@@ -3,14 +3,12 @@ package dev.twister.render;
 import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrWriter;
-import dev.twister.image.Frame;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
 import dev.twister.image.Provenance;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Picture;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -58,19 +56,6 @@ public enum PictureFormat {
     /** Whether 8-bit pixels are marked as sRGB; pictures of numbers always are, so that viewers show them unchanged. */
     static boolean isEncoded(DrawnAspect drawn, FrameInput input) {
         return input.srgb() || !drawn.picture().isColor();
-    }
-
-    /**
-     * Writes a PNG to a stream, which stays open.
-     *
-     * @param part the input of the rendered rows
-     * @param alpha whether the pixels' alpha is written
-     * @param made stored in the file
-     */
-    static void writePng(OutputStream out, DrawnAspect drawn, FrameInput part, boolean alpha, Provenance made)
-            throws IOException {
-        Frame frame = drawn.frame();
-        PngWriter.write(out, frame.width(), frame.height(), drawn.pixels(), isEncoded(drawn, part), alpha, made);
     }
 
     /**

@@ -1,5 +1,6 @@
 package dev.twister.render;
 
+import dev.twister.files.WholeFile;
 import dev.twister.film.FilmFile;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -7,14 +8,12 @@ import java.util.Optional;
 /**
  * Where pictures go: a film, numbered files, a single file, or standard output.
  *
- * @param file the film or picture, a pattern of {@link NumberedFiles}, or {@link #STANDARD_OUTPUT}
+ * @param file the film or picture, a pattern of {@link NumberedFiles}, or {@link WholeFile#STANDARD_OUTPUT}
  * @param frames empty for a single picture
  * @param existing applies to numbered files; any other file is replaced
  * @param background {@link Background#NONE} for PNG pictures only
  */
 public record RenderOutput(Path file, Optional<FrameRange> frames, ExistingFrames existing, Background background) {
-    public static final Path STANDARD_OUTPUT = Path.of("-");
-
     private static final FrameRange SINGLE = FrameRange.ofCount(1);
 
     /** Whether all frames go into one file. */
@@ -23,7 +22,7 @@ public record RenderOutput(Path file, Optional<FrameRange> frames, ExistingFrame
     }
 
     public boolean isStandardOutput() {
-        return file.equals(STANDARD_OUTPUT);
+        return file.equals(WholeFile.STANDARD_OUTPUT);
     }
 
     /** Whether each frame is a file of its own. */

@@ -12,11 +12,7 @@ import dev.twister.threads.BackgroundWriter;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Picture;
 import dev.twister.world.World;
-import java.io.BufferedOutputStream;
-import java.io.FileDescriptor;
-import java.io.FileOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -172,12 +168,6 @@ public final class Renderer {
 
     private void write(int number, List<DrawnAspect> drawn, FrameInput part, Provenance made) throws IOException {
         boolean alpha = output.background() == Background.NONE;
-        if (output.isStandardOutput()) {
-            // Not System.out, which hides errors. Not closed, as more pictures may follow.
-            OutputStream out = new BufferedOutputStream(new FileOutputStream(FileDescriptor.out));
-            PictureFormat.writePng(out, drawn.getFirst(), part, alpha, made);
-        } else {
-            output.format().write(output.file(number), drawn, part, alpha, made);
-        }
+        output.format().write(output.file(number), drawn, part, alpha, made);
     }
 }

@@ -47,7 +47,7 @@ final class InstanceTable {
             MeshBox.of(shown.get(i), meshes).write(boxes, 6 * i);
         }
         int[] order = new int[shown.size()];
-        float[] nodes = BoxTree.nodes(boxes, order, 1);
+        float[] nodes = BoxTree.nodes(new BoxTree.Boxes(boxes, order, 1, instance -> instance));
         float[] floats = new float[1 + nodes.length + Layout.INSTANCE_STRIDE * order.length];
         int count = nodes.length / Layout.NODE_STRIDE;
         floats[0] = count;

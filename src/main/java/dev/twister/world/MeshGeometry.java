@@ -2,6 +2,9 @@ package dev.twister.world;
 
 import dev.twister.kernel.Layout;
 import dev.twister.mesh.TriangleMesh;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 
 /**
@@ -26,7 +29,7 @@ record MeshGeometry(MeshCounts counts, float[] floats) {
     static MeshGeometry of(TriangleMesh mesh, int mostInLeaf) {
         float[] boxes = boxes(mesh);
         int[] order = new int[mesh.triangles()];
-        float[] nodes = BoxTree.nodes(boxes, order, mostInLeaf);
+        float[] nodes = BoxTree.nodes(new BoxTree.Boxes(boxes, order, mostInLeaf, triangle -> corners(mesh, triangle)));
         long length = nodes.length + (long) Layout.TRIANGLE_STRIDE * order.length;
         for (float[] values : attributes(mesh)) {
             length += values.length;
@@ -52,6 +55,22 @@ record MeshGeometry(MeshCounts counts, float[] floats) {
 
     private static List<float[]> attributes(TriangleMesh mesh) {
         return List.of(mesh.normals(), mesh.textureCoordinates(), mesh.colors(), mesh.tangents());
+    }
+
+    /** The nine coordinates of a triangle, from its smallest corner on. */
+    private static List<Float> corners(TriangleMesh mesh, int triangle) {
+        List<List<Float>> turns = new ArrayList<>();
+        for (int first = 0; first < 3; first++) {
+            List<Float> coordinates = new ArrayList<>();
+            for (int i = 0; i < 9; i++) {
+                int vertex = mesh.corners()[3 * triangle + (first + i / 3) % 3];
+                // -0 is 0.
+                coordinates.add(mesh.positions()[3 * vertex + i % 3] + 0f);
+            }
+            turns.add(coordinates);
+        }
+        return Collections.min(
+                turns, (one, other) -> Arrays.compare(one.toArray(Float[]::new), other.toArray(Float[]::new)));
     }
 
     private static float[] boxes(TriangleMesh mesh) {

@@ -3,12 +3,16 @@ package dev.twister.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.ChildJvm;
 import dev.twister.image.PngWriter;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -109,6 +113,51 @@ class CommandsTest {
         assertThat(Path.of("-")).doesNotExist();
         Path file = Files.writeString(folder.resolve("scene.json"), made.out());
         assertThat(SceneReader.readWithoutPictures(file).spheres()).hasSize(3);
+    }
+
+    @Test
+    void readsASceneFromStandardInput() throws IOException, InterruptedException {
+        Process java = ChildJvm.start(ChildJvm.of(Main.class, "scene", "--check", "-"));
+        try (OutputStream in = java.getOutputStream()) {
+            in.write("{\"version\": 1,".getBytes(StandardCharsets.UTF_8));
+        }
+        try (BufferedReader err = java.errorReader(StandardCharsets.UTF_8)) {
+            assertThat(err.readAllAsString()).startsWith("twister: standard input:1:15: not valid JSON");
+        }
+        assertThat(java.waitFor()).isEqualTo(ExitCode.BAD_INPUT);
+    }
+
+    @Test
+    void writesAPanoramaToStandardOutput() throws IOException, InterruptedException {
+        Process java = ChildJvm.start(ChildJvm.of(Main.class, "sky", "-o", "-", "--size", "8x4"));
+        byte[] written = java.getInputStream().readAllBytes();
+        try (BufferedReader err = java.errorReader(StandardCharsets.UTF_8)) {
+            assertThat(err.readAllAsString()).isEqualToIgnoringNewLines("standard output: 8 x 4");
+        }
+        assertThat(java.waitFor()).isZero();
+        Path file = folder.resolve("sky.hdr");
+        assertThat(Outcome.of("sky", "-o", file.toString(), "--size", "8x4").exitCode())
+                .isZero();
+        assertThat(file).hasBinaryContent(written);
+    }
+
+    @Test
+    void quietCommandsPrintErrorsAlone() {
+        Outcome made = Outcome.of(
+                "scene", "--spheres", "3", "-o", folder.resolve("scene.json").toString(), "--quiet");
+        assertThat(made).isEqualTo(new Outcome(ExitCode.OK, "", ""));
+
+        Outcome failed =
+                Outcome.of("scene", "--check", folder.resolve("none.json").toString(), "-q");
+        assertThat(failed.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(failed.err()).startsWith("twister: ").contains("file not found");
+    }
+
+    @Test
+    void verboseCommandsTellTheirTime() {
+        Outcome made = Outcome.of("scene", "--spheres", "3", "-o", "-", "--verbose");
+        assertThat(made.err()).startsWith("twister ").contains(" of processor time");
+        assertThat(made.out()).startsWith("{");
     }
 
     @Test

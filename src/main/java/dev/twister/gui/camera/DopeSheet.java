@@ -48,6 +48,7 @@ public final class DopeSheet extends ScrollPane {
         setFocusTraversable(false);
         setHbarPolicy(ScrollBarPolicy.NEVER);
         setContent(rows);
+        showRows(false);
         studio.sceneProperty().subscribe(this::follow);
         studio.film().shownProperty().subscribe(_ -> follow(studio.scene()));
         studio.film().secondsProperty().subscribe(_ -> draw());
@@ -102,11 +103,14 @@ public final class DopeSheet extends ScrollPane {
             rows.getChildren().clear();
             lanes.clear();
             targets.forEach(this::addRow);
-            boolean any = !targets.isEmpty();
-            setVisible(any);
-            setManaged(any);
+            showRows(!targets.isEmpty());
         }
         lanes.forEach(lane -> lane.follow(scene));
+    }
+
+    private void showRows(boolean any) {
+        setVisible(any);
+        setManaged(any);
     }
 
     private void addRow(TrackTarget target) {

@@ -52,6 +52,17 @@ public record WindowSettings(Map<String, Object> values) {
     /** Whether Q moves the camera up and E down, instead of the other way round. */
     public static final Key<Boolean> Q_UP = flag("qUp", false);
 
+    /** The panel's width where none was dragged: that of the style sheet, by the text's size. */
+    public static final int USUAL_PANEL = 0;
+
+    /** Of the panel, in the screen's units. */
+    public static final Key<Integer> PANEL_WIDTH = new Key<>(
+            "panelWidth",
+            USUAL_PANEL,
+            value -> value instanceof Integer width && width >= USUAL_PANEL && width <= MAX_SIDE
+                    ? Optional.of(width)
+                    : Optional.empty());
+
     /** Whether selected bodies have arrows that move them along an axis. */
     public static final Key<Boolean> AXIS_HANDLES = flag("axisHandles", true);
 
@@ -71,6 +82,7 @@ public record WindowSettings(Map<String, Object> values) {
             ENGINE,
             RECENT_SCENES,
             Q_UP,
+            PANEL_WIDTH,
             AXIS_HANDLES,
             FOLDED,
             HINT_SEEN);

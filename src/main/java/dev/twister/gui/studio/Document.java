@@ -11,8 +11,10 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.UnaryOperator;
+import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleBooleanProperty;
 
 /** The scene that is open, its file, and its edits. Used by JavaFX's thread alone. */
 public final class Document {
@@ -22,6 +24,7 @@ public final class Document {
     private final ReadOnlyObjectWrapper<EditState> edits = new ReadOnlyObjectWrapper<>(EditState.UNTOUCHED);
     private final BiConsumer<Scene, Scene> changing;
     private final BiConsumer<Scene, Scene> changed;
+    private final BooleanProperty cameraLocked = new SimpleBooleanProperty(false);
     private SceneHistory history;
     private long number;
 
@@ -128,8 +131,16 @@ public final class Document {
         return redone;
     }
 
-    /** Moves the camera, which is no edit; its lens and keyframes stay. */
+    /** Whether the camera stays where it is, but for views and keyframes. */
+    public BooleanProperty cameraLockedProperty() {
+        return cameraLocked;
+    }
+
+    /** Moves the camera unless it is locked, which is no edit; its lens and keyframes stay. */
     void moveCamera(UnaryOperator<Camera> move) {
+        if (cameraLocked.get()) {
+            return;
+        }
         Camera now = scene.get().camera();
         lookFrom(CameraRig.of(now).on(move.apply(now)));
     }

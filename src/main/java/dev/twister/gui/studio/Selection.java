@@ -1,8 +1,10 @@
 package dev.twister.gui.studio;
 
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.SelectedBodies;
+import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import java.util.Collection;
 import java.util.function.Consumer;
@@ -79,6 +81,30 @@ public final class Selection {
         SelectedBodies all = SelectedBodies.of(BodyEdits.movable(document.scene()));
         set(all.contains(active()) ? all.withActive(active()) : all);
         notice.accept(all.count() + " bodies selected");
+    }
+
+    /** Selects all movable bodies that are not selected, and no others. */
+    public void invert() {
+        set(SelectedBodies.of(BodyEdits.movable(document.scene()).stream()
+                .filter(body -> !bodies.get().contains(body))
+                .toList()));
+        notice.accept(bodies.get().count() + " bodies selected");
+    }
+
+    /** Selects all spheres and meshes of the active body's material; tells it if it has none. */
+    public void selectSameMaterial() {
+        Scene scene = document.scene();
+        if (!BodyMaterials.has(scene, active())) {
+            notice.accept("Select a sphere, or a mesh with its own material, first");
+            return;
+        }
+        Material material = BodyMaterials.of(scene, active());
+        SelectedBodies same = SelectedBodies.of(BodyEdits.movable(scene).stream()
+                .filter(body -> BodyMaterials.has(scene, body)
+                        && BodyMaterials.of(scene, body).equals(material))
+                .toList());
+        set(same.contains(active()) ? same.withActive(active()) : same);
+        notice.accept(bodies.get().count() + " bodies of this material selected");
     }
 
     /** Removes bodies whose numbers have changed their meaning. */

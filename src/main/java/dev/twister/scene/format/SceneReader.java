@@ -2,6 +2,7 @@ package dev.twister.scene.format;
 
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 
@@ -50,6 +51,19 @@ public final class SceneReader {
      */
     public static Scene readWithoutPictures(Path file) {
         return SceneDocument.parse(SourceFile.read(file), beside(file, false));
+    }
+
+    /**
+     * Reads a scene that is in no file, as {@link #read(Path)} does.
+     *
+     * @param in read to its end, and left open
+     * @param name what messages begin with
+     * @param folder in which its skybox and textures are looked for
+     * @throws SceneException as {@link #read(Path)}
+     */
+    public static Scene read(InputStream in, String name, Path folder) {
+        Path place = folder.resolve(name);
+        return SceneDocument.parse(SourceFile.read(in, name), new FilesBeside(place, place, true));
     }
 
     private static NamedFiles beside(Path file, boolean needed) {

@@ -41,9 +41,24 @@ final class SourceFile {
             if (size > MAX_BYTES) {
                 throw failure(name, "has " + size + " bytes; " + TOO_LARGE);
             }
-            return decode(name, bytes(file, name));
+            try (InputStream stream = Files.newInputStream(file)) {
+                return decode(name, bytes(stream, name));
+            }
         } catch (NoSuchFileException e) {
             throw failure(name, "file not found");
+        } catch (IOException e) {
+            throw failure(name, "cannot be read: " + Excerpt.sentence(SystemReason.of(e)));
+        }
+    }
+
+    /**
+     * Reads a stream to its end.
+     *
+     * @throws SceneException if it cannot be read, or is no UTF-8 text of 1 to {@value #MAX_BYTES} bytes
+     */
+    static SourceText read(InputStream stream, String name) {
+        try {
+            return decode(name, bytes(stream, name));
         } catch (IOException e) {
             throw failure(name, "cannot be read: " + Excerpt.sentence(SystemReason.of(e)));
         }
@@ -53,18 +68,16 @@ final class SourceFile {
         return new SceneException(Excerpt.ofPath(file) + ": " + what);
     }
 
-    private static byte[] bytes(Path file, String name) throws IOException {
-        try (InputStream stream = Files.newInputStream(file)) {
-            // One byte more than allowed tells a file that has grown since its size was asked.
-            byte[] bytes = stream.readNBytes(MAX_BYTES + 1);
-            if (bytes.length > MAX_BYTES) {
-                throw failure(name, "has more than " + MAX_BYTES + " bytes; " + TOO_LARGE);
-            }
-            if (bytes.length == 0) {
-                throw failure(name, "the file is empty (0 bytes)");
-            }
-            return bytes;
+    private static byte[] bytes(InputStream stream, String name) throws IOException {
+        // One byte more than allowed tells a file that has grown since its size was asked.
+        byte[] bytes = stream.readNBytes(MAX_BYTES + 1);
+        if (bytes.length > MAX_BYTES) {
+            throw failure(name, "has more than " + MAX_BYTES + " bytes; " + TOO_LARGE);
         }
+        if (bytes.length == 0) {
+            throw failure(name, "the file is empty (0 bytes)");
+        }
+        return bytes;
     }
 
     private static SourceText decode(String name, byte[] bytes) {

@@ -1,0 +1,50 @@
+package dev.twister.gui.picture;
+
+import dev.twister.gui.model.FrameOutline;
+import dev.twister.gui.studio.Studio;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.geometry.Bounds;
+import javafx.scene.layout.Pane;
+import javafx.scene.shape.Rectangle;
+
+/** Outlines what a picture of the scene's own width and height shows, which may be more than the view has. */
+public final class SafeFrame extends Pane {
+    private final PictureView picture;
+    private final Studio studio;
+    private final BooleanProperty shown = new SimpleBooleanProperty(false);
+    private final Rectangle outline = new Rectangle();
+
+    public SafeFrame(PictureView picture, Studio studio) {
+        this.picture = picture;
+        this.studio = studio;
+        setId("safe-frame");
+        setMouseTransparent(true);
+        outline.getStyleClass().add("safe-frame");
+        outline.setManaged(false);
+        getChildren().add(outline);
+        visibleProperty().bind(shown);
+        shown.subscribe(_ -> place());
+        studio.sceneProperty().subscribe(_ -> place());
+        picture.image().boundsInParentProperty().subscribe(_ -> place());
+    }
+
+    public BooleanProperty shownProperty() {
+        return shown;
+    }
+
+    private void place() {
+        if (shown.get()) {
+            Bounds view = picture.image().getBoundsInParent();
+            FrameOutline frame = FrameOutline.of(
+                    view.getWidth(),
+                    view.getHeight(),
+                    studio.scene().rendering().width(),
+                    studio.scene().rendering().height());
+            outline.setX(view.getCenterX() - frame.width() / 2);
+            outline.setY(view.getCenterY() - frame.height() / 2);
+            outline.setWidth(frame.width());
+            outline.setHeight(frame.height());
+        }
+    }
+}
