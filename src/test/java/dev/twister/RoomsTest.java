@@ -98,6 +98,7 @@ class RoomsTest {
                 room(
                         "gui.model",
                         "files",
+                        "denoise",
                         "scene",
                         "scene.format",
                         "sky",
@@ -114,6 +115,7 @@ class RoomsTest {
                 room(
                         "gui.drawing",
                         "mesh",
+                        "denoise",
                         "scene",
                         "scene.format",
                         "sky",
@@ -128,6 +130,7 @@ class RoomsTest {
                 room(
                         "gui.studio",
                         "mesh",
+                        "denoise",
                         "scene",
                         "scene.format",
                         "world",
@@ -198,6 +201,7 @@ class RoomsTest {
                 room(
                         "gui.panel",
                         "scene",
+                        "denoise",
                         "scene.format",
                         "world",
                         "engine",

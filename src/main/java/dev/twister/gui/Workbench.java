@@ -44,6 +44,7 @@ import dev.twister.gui.picture.PathTable;
 import dev.twister.gui.picture.PathView;
 import dev.twister.gui.picture.PictureActions;
 import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.picture.PictureViewer;
 import dev.twister.gui.picture.PixelInspector;
 import dev.twister.gui.picture.SafeFrame;
 import dev.twister.gui.picture.SplitView;
@@ -90,6 +91,7 @@ final class Workbench implements AutoCloseable {
     private final PictureActions pictures;
     private final RenderActions render;
     private final HelpWindows help;
+    private final PictureViewer viewer;
     private final Panel panel;
     private final PixelInspector inspector;
     private final Comparison comparison;
@@ -134,6 +136,7 @@ final class Workbench implements AutoCloseable {
         gallery = new SceneGallery(stage, settings, files);
         autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
+        viewer = new PictureViewer(stage, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
         comparison = new Comparison(studio, studio.assets()::drawingLoop);
         middle.getChildren().add(1, new SplitView(picture, studio, comparison));
@@ -161,7 +164,7 @@ final class Workbench implements AutoCloseable {
                         Command.CLIPPING,
                         () -> clipping.shownProperty()
                                 .set(!clipping.shownProperty().get()));
-        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, actions);
+        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, errands, actions);
         panel.foldAsKept(settings);
         menu = new MenuView(studio, settings, files, actions, bodies::insert);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
@@ -316,6 +319,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.SAVE, saving::save)
                 .on(Command.SAVE_AS, saving::saveAs)
                 .on(Command.TITLE, () -> TitleDialog.show(stage, studio))
+                .on(Command.VIEW_PICTURE, viewer::open)
                 .on(Command.SCREENSHOT, pictures::screenshot)
                 .on(Command.RENDER, render::show)
                 .on(Command.RECORD, pictures::toggleRecording)

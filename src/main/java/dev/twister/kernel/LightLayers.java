@@ -22,7 +22,7 @@ public final class LightLayers {
     }
 
     /** Place in the scratch of a body's layer; {@link Layout#NOTHING} for the sky's. */
-    private static int place(int body, float[] frame, float[] looks) {
+    static int place(int body, float[] frame, float[] looks) {
         return Layout.SCRATCH_LAYERS + 3 * (int) looks[(int) frame[Layout.LIGHT_GROUPS] + 1 + body];
     }
 
@@ -62,89 +62,6 @@ public final class LightLayers {
             for (int channel = 0; channel < 3; channel++) {
                 float found = path[Layout.THROUGHPUT + channel] * weight * path[Layout.EMITTED + channel];
                 scratch[at + channel] = scratch[at + channel] + (most > 0f ? Math.min(found, most) : found);
-            }
-        }
-    }
-
-    /**
-     * Without path tracing: adds what the surface reflects of a light.
-     *
-     * @param light its body
-     * @param part what it adds to lit
-     * @param visible S in [0, 1]
-     */
-    static void shade(
-            float[] path,
-            float[] scratch,
-            int light,
-            float part,
-            float visible,
-            float[] frame,
-            float[] looks,
-            int variant) {
-        if (Aspect.isLayered(variant) != 0) {
-            int at = place(light, frame, looks);
-            float specular = Illumination.highlight(path, visible);
-            float matte = matte(path, frame, variant) * part;
-            for (int channel = 0; channel < 3; channel++) {
-                float color = looks[Layout.LOOK_STRIDE * light + channel];
-                scratch[at + channel] = scratch[at + channel]
-                        + path[Layout.THROUGHPUT + channel]
-                                * (Scatter.tint(path, channel, variant) * color * specular
-                                        + matte * path[Layout.ALBEDO + channel]);
-            }
-        }
-    }
-
-    /**
-     * Without path tracing: adds what the surface reflects of ambient light.
-     *
-     * @param part of lit beyond the sum of the lights' parts
-     */
-    static void ambient(float[] path, float[] scratch, float part, float[] frame, float[] looks, int variant) {
-        if (Aspect.isLayered(variant) != 0) {
-            int at = place(Layout.PLANE, frame, looks);
-            float matte = matte(path, frame, variant) * part;
-            for (int channel = 0; channel < 3; channel++) {
-                scratch[at + channel] = scratch[at + channel]
-                        + path[Layout.THROUGHPUT + channel] * matte * path[Layout.ALBEDO + channel];
-            }
-        }
-    }
-
-    /** Without path tracing: adds what the surface reflects of the only light and of ambient light. */
-    static void shade(
-            float[] path, float[] scratch, float visible, float lit, float[] frame, float[] looks, int variant) {
-        if (Aspect.isLayered(variant) != 0) {
-            float part = Math.max(0f, path[Layout.NORMAL_DOT_LIGHT]) * visible;
-            shade(path, scratch, Layout.LIGHT, part, visible, frame, looks, variant);
-            ambient(path, scratch, lit - part, frame, looks, variant);
-        }
-    }
-
-    private static float matte(float[] path, float[] frame, int variant) {
-        return (1f - Path.mirror(path, frame)) * (1f - Path.transmission(path, frame, variant));
-    }
-
-    /** Without path tracing: adds the color of a light at which the path ends. */
-    static void meet(float[] path, float[] scratch, int light, float[] frame, float[] looks, int variant) {
-        if (Aspect.isLayered(variant) != 0) {
-            for (int channel = 0; channel < 3; channel++) {
-                path[Layout.EMITTED + channel] = looks[Layout.LOOK_STRIDE * light + channel];
-            }
-            add(path, scratch, light, 1f, 0f, frame, looks, variant);
-        }
-    }
-
-    /** Without path tracing: adds the light that the surface emits. */
-    static void emit(float[] path, float[] scratch, int body, float[] frame, float[] looks, int variant) {
-        int layered = Aspect.isLayered(variant) & ((variant & Variant.MATERIALS) != 0 ? 1 : 0);
-        if (layered != 0) {
-            if (Emitter.shines(path, body, frame, looks, variant) != 0) {
-                for (int channel = 0; channel < 3; channel++) {
-                    path[Layout.EMITTED + channel] = Emitter.emission(path, body, channel, looks, variant);
-                }
-                add(path, scratch, body, 1f, 0f, frame, looks, variant);
             }
         }
     }

@@ -55,9 +55,9 @@ public final class Path {
                 visible = visible(path, body, scratch, frame, bodies, looks, meshes, variant);
                 lit = Illumination.lit(
                         Illumination.ambient(path, frame, variant), path[Layout.NORMAL_DOT_LIGHT], visible);
-                LightLayers.shade(path, scratch, visible, lit, frame, looks, variant);
+                WhittedLayers.shade(path, scratch, visible, lit, frame, looks, variant);
             }
-            LightLayers.emit(path, scratch, body, frame, looks, variant);
+            WhittedLayers.emit(path, scratch, body, frame, looks, variant);
             Guides.meet(path, mirror(path, frame), transmission(path, frame, variant), variant);
             int waiting = (int) path[Layout.WAITING];
             scatter(path, body, visible, lit, scratch, frame, looks, variant);
@@ -76,7 +76,7 @@ public final class Path {
             Illumination.add(path, body, looks);
             int look = Layout.LOOK_STRIDE * body;
             Guides.shine(path, looks[look], looks[look + 1], looks[look + 2], variant);
-            LightLayers.meet(path, scratch, body, frame, looks, variant);
+            WhittedLayers.meet(path, scratch, body, frame, looks, variant);
         }
         if ((variant & Variant.MATERIALS) != 0) {
             if (((goesOn == 0 ? 1 : 0) & (path[Layout.WAITING] > 0f ? 1 : 0)) != 0) {

@@ -46,14 +46,14 @@ public final class SeveralLights {
             int look = Layout.LOOK_STRIDE * light;
             float part = part(path, light, visible, looks);
             sum = sum + part;
-            LightLayers.shade(path, scratch, light, part, visible, frame, looks, variant);
+            WhittedLayers.shade(path, scratch, light, part, visible, frame, looks, variant);
             float specular = Illumination.highlight(path, visible);
             for (int channel = 0; channel < 3; channel++) {
                 path[Layout.HIGHLIGHT + channel] = path[Layout.HIGHLIGHT + channel] + looks[look + channel] * specular;
             }
         }
         float lit = Math.max(sum, Illumination.ambient(path, frame, variant));
-        LightLayers.ambient(path, scratch, lit - sum, frame, looks, variant);
+        WhittedLayers.ambient(path, scratch, lit - sum, frame, looks, variant);
         return lit;
     }
 

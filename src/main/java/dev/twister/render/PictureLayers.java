@@ -25,7 +25,7 @@ public final class PictureLayers {
     private PictureLayers() {}
 
     /** The light of a group of lights. */
-    static List<String> light(String group) {
+    public static List<String> light(String group) {
         return layer(LIGHT + group, "RGB");
     }
 

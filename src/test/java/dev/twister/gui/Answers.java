@@ -40,6 +40,11 @@ final class Answers implements FileChoice {
     }
 
     @Override
+    public Optional<Path> picture(Path folder) {
+        return answer(folder);
+    }
+
+    @Override
     public Optional<Path> mesh(Path folder) {
         return answer(folder);
     }

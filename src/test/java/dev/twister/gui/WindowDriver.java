@@ -236,7 +236,7 @@ public final class WindowDriver implements AutoCloseable {
         long asked = call(studio::lastRequest);
         DrawnPicture rest = awaitPicture(picture -> picture.isWhole()
                 && picture.request().number() >= asked
-                && picture.samples() == picture.request().refineTo());
+                && picture.gathered().isDone());
         pulse();
         pulse();
         return rest;

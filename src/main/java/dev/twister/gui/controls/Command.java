@@ -8,6 +8,11 @@ public enum Command {
     NEW(Group.FILE, "New", "Shortcut+N", "A new scene: a floor, a sky and a light."),
     GALLERY(Group.FILE, "Gallery…", "Shortcut+Shift+O", "Shows the shipped and recent scenes as pictures."),
     OPEN(Group.FILE, "Open…", "Shortcut+O", "Opens a scene or a mesh, or a panorama as the sky."),
+    VIEW_PICTURE(
+            Group.FILE,
+            "View picture…",
+            "Shortcut+Shift+P",
+            "Shows a PNG, HDR or EXR file, with the strengths of its light layers."),
     SAVE(Group.FILE, "Save", "Shortcut+S", "Saves the scene, with the camera where it is now."),
     SAVE_AS(Group.FILE, "Save as…", "Shortcut+Shift+S", "Saves the scene under another name."),
     TITLE(

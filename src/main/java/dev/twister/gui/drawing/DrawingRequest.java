@@ -13,7 +13,7 @@ import dev.twister.world.Picture;
  * @param width in pixels, at least 1
  * @param height in pixels, at least 1
  * @param engine draws it
- * @param refineTo samples per pixel to gather before the picture rests; 0 to draw it again and again
+ * @param refinement how the picture gets better while nothing changes
  * @param motion whether and how bodies move
  * @param shown the picture, a stage or a view
  */
@@ -24,12 +24,12 @@ public record DrawingRequest(
         int width,
         int height,
         EngineChoice engine,
-        int refineTo,
+        Refinement refinement,
         Motion motion,
         Picture shown) {
     /** A request of the first document, without motion. */
     public DrawingRequest(long number, Scene scene, int width, int height, EngineChoice engine, int refineTo) {
-        this(number, 0, scene, width, height, engine, refineTo, Motion.NONE, Picture.REFLECTIONS);
+        this(number, 0, scene, width, height, engine, Refinement.to(refineTo), Motion.NONE, Picture.REFLECTIONS);
     }
 
     /** Whether the other request has the same picture, on any engine. */
@@ -41,7 +41,7 @@ public record DrawingRequest(
                 other.width(),
                 other.height(),
                 engine,
-                refineTo,
+                refinement,
                 other.motion(),
                 other.shown()));
     }
@@ -59,7 +59,7 @@ public record DrawingRequest(
                         other.width(),
                         other.height(),
                         other.engine(),
-                        other.refineTo(),
+                        other.refinement(),
                         other.motion(),
                         other.shown()));
     }
@@ -78,6 +78,6 @@ public record DrawingRequest(
 
     /** Whether pictures are drawn without end although nothing is requested. */
     public boolean isContinuous() {
-        return refineTo == 0 || motion.running();
+        return refinement.samples() == 0 || motion.running();
     }
 }

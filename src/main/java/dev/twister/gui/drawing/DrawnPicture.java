@@ -18,8 +18,7 @@ import java.util.OptionalDouble;
  * @param engine id of the engine that drew it
  * @param device name of the device
  * @param times of the steps
- * @param samples per pixel, including those of earlier pictures that it refines
- * @param noise estimated standard error, relative to white; empty if it is unknown
+ * @param gathered the samples
  * @param number counts the pictures that the engine drew, shown or not
  * @param original number of the picture that this one repeats pixel by pixel; its own if it repeats none
  * @param finishedNanos by {@link System#nanoTime}
@@ -32,20 +31,29 @@ public record DrawnPicture(
         String engine,
         String device,
         FrameTimes times,
-        int samples,
-        OptionalDouble noise,
+        Gathered gathered,
         long number,
         long original,
         long finishedNanos) {
     /** A copy with another frame that has the same pixels. */
     DrawnPicture in(Frame other) {
         return new DrawnPicture(
-                other, request, input, meshes, engine, device, times, samples, noise, number, original, finishedNanos);
+                other, request, input, meshes, engine, device, times, gathered, number, original, finishedNanos);
     }
 
     /** Maps a body's number in the input to its number in the scene, see {@link BodyNumber}. */
     public int sceneBody(int body) {
         return BodyNumber.inScene(body, input, request.scene(), meshes);
+    }
+
+    /** Samples per pixel, including those of earlier pictures that it refines. */
+    public int samples() {
+        return gathered.samples();
+    }
+
+    /** Estimated standard error, relative to white; empty if it is unknown. */
+    public OptionalDouble noise() {
+        return gathered.noise();
     }
 
     /** Whether it has the requested size. */

@@ -1,5 +1,6 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.denoise.DenoiserOffer;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.NumberColors;
@@ -8,9 +9,9 @@ import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Picture;
+import dev.twister.world.TonedPixels;
 import java.nio.IntBuffer;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiPredicate;
 import java.util.function.Consumer;
@@ -31,6 +32,9 @@ final class PictureWork implements AutoCloseable {
     /** The same in path tracing, where the plain picture has one sample. */
     private static final int FEWEST_TRACED_SAMPLES = 2;
 
+    /** A picture with fewer samples does not rest, however low its noise: it may lack light that few samples find. */
+    private static final int FEWEST_CONVERGED_SAMPLES = 16;
+
     /** Time between two published pictures that hardly differ: publishing each would take time from drawing. */
     private static final long REFINED_EVERY_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
 
@@ -43,6 +47,7 @@ final class PictureWork implements AutoCloseable {
     private final SlowPictures slowPictures;
     private final LivingWorld world;
     private final EngineSeat seat;
+    private final RestDenoising denoising;
     private FrameInput input;
     private Optional<String> sceneFailure = Optional.empty();
     private Optional<DrawingRequest> request = Optional.empty();
@@ -66,13 +71,6 @@ final class PictureWork implements AutoCloseable {
     private Optional<DrawnPicture> last = Optional.empty();
     private volatile Optional<Consumer<DrawnPicture>> watcher = Optional.empty();
 
-    /** Samples per pixel, and their noise if it is estimated. */
-    private record Gathered(int samples, OptionalDouble noise) {
-        static Gathered of(FrameInput seen) {
-            return new Gathered(seen.samplesPerPixel(), OptionalDouble.empty());
-        }
-    }
-
     /**
      * @param newest the newest request; empty if nothing is to be drawn
      * @param whenReady called on another thread when an answered request may have new work
@@ -91,6 +89,7 @@ final class PictureWork implements AutoCloseable {
         this.exchange = exchange;
         world = new LivingWorld(skies, meshes, () -> newest.get().map(DrawingRequest::scene));
         seat = new EngineSeat(substitute, whenReady);
+        denoising = new RestDenoising(whenReady);
     }
 
     /**
@@ -133,6 +132,7 @@ final class PictureWork implements AutoCloseable {
             }
             refined = refined.filter(old -> old.fits(wanted.width(), wanted.height()));
             refined.ifPresent(RefinedPicture::reset);
+            denoising.reset();
             quick = false;
             coarse = Optional.empty();
         }
@@ -182,7 +182,8 @@ final class PictureWork implements AutoCloseable {
                         && held.fits(picture.frame().width(), picture.frame().height())
                         && held.samples() > picture.input().samplesPerPixel()
                         && held.samples() >= picture.samples())
-                .map(RefinedPicture::radiance);
+                .map(held ->
+                        denoising.newest().map(RestDenoising.Clean::radiance).orElseGet(held::radiance));
     }
 
     /** Sets the watcher that gets each whole picture; called by any thread. */
@@ -191,12 +192,14 @@ final class PictureWork implements AutoCloseable {
     }
 
     DrawingStatus status() {
-        return new DrawingStatus(seat.opening(), seat.failure(), sceneFailure.or(world::complaint));
+        return new DrawingStatus(
+                seat.opening(), seat.failure().or(denoising::failure), sceneFailure.or(world::complaint));
     }
 
     @Override
     public void close() {
         seat.close();
+        denoising.close();
         world.close();
     }
 
@@ -278,7 +281,7 @@ final class PictureWork implements AutoCloseable {
                 exchange.abandon(frame);
             }
         }
-        finish(wanted, small, engine, frame, frame.times(), Gathered.of(small), false);
+        finish(wanted, small, engine, frame, frame.times(), Gathered.of(small.samplesPerPixel()), false);
     }
 
     /** Adds a sample to a smaller picture and shows it. */
@@ -294,7 +297,7 @@ final class PictureWork implements AutoCloseable {
                 exchange.abandon(frame);
             }
         }
-        Gathered gathered = new Gathered(picture.samples(), OptionalDouble.empty());
+        Gathered gathered = Gathered.of(picture.samples());
         finish(wanted, small, engine, frame, frame.times(), gathered, false);
     }
 
@@ -319,7 +322,7 @@ final class PictureWork implements AutoCloseable {
             }
         }
         if (whole) {
-            finish(wanted, seen, engine, frame, frame.times(), Gathered.of(seen), again);
+            finish(wanted, seen, engine, frame, frame.times(), Gathered.of(seen.samplesPerPixel()), again);
         }
         return whole;
     }
@@ -330,7 +333,7 @@ final class PictureWork implements AutoCloseable {
         if (wanted.shown().isColor()) {
             return renderer.test(seen, frame);
         }
-        Frame linear = linear(seen.width(), seen.height());
+        Frame linear = linear(seen.width(), seen.height(), 0);
         boolean whole = renderer.test(seen, linear);
         if (whole) {
             NumberColors.paint(wanted.shown(), linear.radiance(), frame.argb());
@@ -339,9 +342,9 @@ final class PictureWork implements AutoCloseable {
         return whole;
     }
 
-    private Frame linear(int width, int height) {
-        Frame linear = pass.filter(old -> old.width() == width && old.height() == height)
-                .orElseGet(() -> Frame.ofRadiance(width, height));
+    private Frame linear(int width, int height, int layers) {
+        Frame linear = pass.filter(old -> old.width() == width && old.height() == height && old.layerCount() == layers)
+                .orElseGet(() -> Frame.ofRadiance(width, height, layers));
         pass = Optional.of(linear);
         return linear;
     }
@@ -365,28 +368,60 @@ final class PictureWork implements AutoCloseable {
     }
 
     private boolean refine(DrawingRequest wanted, Engine engine) {
-        RefinedPicture picture = refined.filter(
-                        old -> old.limit() == wanted.refineTo() && old.isEstimated() == input.tracesPaths())
-                .orElseGet(() ->
-                        new RefinedPicture(wanted.width(), wanted.height(), wanted.refineTo(), input.tracesPaths()));
-        refined = Optional.of(picture);
-        refinedSky = input.images();
-        if (picture.isDone()) {
+        RefinedPicture picture = refining(wanted);
+        boolean done = isDone(picture, wanted);
+        Optional<DenoiserOffer> denoiser = denoiser(wanted);
+        if (denoiser.isPresent() && denoising.advance(picture, done, denoiser.get())) {
+            showRefined(wanted, engine);
+        }
+        if (done) {
             return false;
         }
-        Frame linear = linear(wanted.width(), wanted.height());
         int samples = picture.samplesOfNextPass(input.samplesPerPixel());
         FrameInput next = picture.next(input, samples);
+        Frame linear = linear(wanted.width(), wanted.height(), next.layers());
         if (!slowPictures.draw(engine, next, linear, _ -> isRefinedInVain())) {
             return true;
         }
         picture.add(linear, samples);
-        if (picture.isDone() || (picture.samples() >= fewestRefined() && isToBeSeen())) {
+        boolean last = isDone(picture, wanted);
+        // Its noise would come back for a moment.
+        boolean clean = denoising.newest().isPresent();
+        if (last || (!clean && picture.samples() >= fewestRefined() && isToBeSeen())) {
             showRefined(wanted, engine);
         } else {
             pictures++;
         }
-        return !picture.isDone();
+        return !last || denoiser.isPresent();
+    }
+
+    /** The samples gathered so far for a request, or none. */
+    private RefinedPicture refining(DrawingRequest wanted) {
+        int limit = wanted.refinement().samples();
+        boolean traced = input.tracesPaths();
+        boolean guided = denoiser(wanted).isPresent();
+        RefinedPicture picture = refined.filter(
+                        old -> old.limit() == limit && old.isEstimated() == traced && old.isGuided() == guided)
+                .orElseGet(() -> {
+                    denoising.reset();
+                    return new RefinedPicture(wanted.width(), wanted.height(), limit, traced, guided);
+                });
+        refined = Optional.of(picture);
+        refinedSky = input.images();
+        return picture;
+    }
+
+    private Optional<DenoiserOffer> denoiser(DrawingRequest wanted) {
+        return wanted.refinement().denoiser().filter(_ -> input.tracesPaths() && wanted.shown() == Picture.REFLECTIONS);
+    }
+
+    /** Whether the picture has all samples, or so many that its noise is low. */
+    private boolean isDone(RefinedPicture picture, DrawingRequest wanted) {
+        double goal = wanted.refinement().noise();
+        return picture.isDone()
+                || (goal > 0
+                        && picture.samples() >= FEWEST_CONVERGED_SAMPLES
+                        && picture.noise(input).orElse(Double.MAX_VALUE) <= goal);
     }
 
     private int fewestRefined() {
@@ -396,13 +431,21 @@ final class PictureWork implements AutoCloseable {
     private void showRefined(DrawingRequest wanted, Engine engine) {
         RefinedPicture picture = refined.orElseThrow();
         Frame frame = exchange.frameToDraw(wanted.width(), wanted.height());
-        if (wanted.shown().isColor()) {
+        Optional<RestDenoising.Clean> clean = denoising.newest();
+        if (clean.isPresent()) {
+            TonedPixels.write(clean.get().radiance(), input, frame.argb());
+        } else if (wanted.shown().isColor()) {
             picture.show(input, IntBuffer.wrap(frame.argb()));
         } else {
             NumberColors.paint(wanted.shown(), picture.radiance(), frame.argb());
         }
         FrameTimes times = pass.map(Frame::times).orElse(FrameTimes.NONE);
-        finish(wanted, input, engine, frame, times, new Gathered(picture.samples(), picture.noise(input)), false);
+        Gathered gathered = new Gathered(
+                clean.map(RestDenoising.Clean::samples).orElseGet(picture::samples),
+                picture.noise(input),
+                clean.isPresent(),
+                isDone(picture, wanted) && (denoiser(wanted).isEmpty() || denoising.isDone(picture)));
+        finish(wanted, input, engine, frame, times, gathered, false);
     }
 
     /** Whether to abandon a refining pass: any new request counts, because a pass is not shown by itself. */
@@ -442,8 +485,7 @@ final class PictureWork implements AutoCloseable {
                 engine.id(),
                 engine.device(),
                 times,
-                gathered.samples(),
-                gathered.noise(),
+                gathered,
                 pictures,
                 original,
                 clock.getAsLong());

@@ -14,6 +14,9 @@ public interface FileChoice {
     /** An existing panorama. */
     Optional<Path> panorama(Path folder);
 
+    /** An existing picture. */
+    Optional<Path> picture(Path folder);
+
     /** An existing mesh. */
     Optional<Path> mesh(Path folder);
 

@@ -19,6 +19,7 @@ import javafx.stage.Window;
 public final class SystemFileChoice implements FileChoice {
     private static final String SCENE = "*" + ChosenFile.SCENE;
     private static final List<String> PANORAMAS = List.of("*.hdr", "*.pic", "*.png", "*.jpg", "*.jpeg");
+    private static final List<String> PICTURES = List.of("*.exr", "*.hdr", "*.png");
     private static final List<String> MESHES =
             MeshReader.ENDINGS.stream().map(ending -> "*" + ending).toList();
     private static final List<String> TEXTURES = List.of("*.png", "*.jpg", "*.jpeg");
@@ -55,6 +56,14 @@ public final class SystemFileChoice implements FileChoice {
         FileChooser chooser = chooser("Choose a sky", folder);
         chooser.getExtensionFilters()
                 .addAll(new ExtensionFilter("Panoramas", PANORAMAS), new ExtensionFilter("All files", "*"));
+        return path(chooser.showOpenDialog(owner));
+    }
+
+    @Override
+    public Optional<Path> picture(Path folder) {
+        FileChooser chooser = chooser("View a picture", folder);
+        chooser.getExtensionFilters()
+                .addAll(new ExtensionFilter("Pictures", PICTURES), new ExtensionFilter("All files", "*"));
         return path(chooser.showOpenDialog(owner));
     }
 

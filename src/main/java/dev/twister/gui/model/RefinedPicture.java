@@ -1,13 +1,17 @@
 package dev.twister.gui.model;
 
+import dev.twister.denoise.NoisyPicture;
+import dev.twister.denoise.Plane;
 import dev.twister.engine.NoiseEstimate;
 import dev.twister.engine.NoiseEstimate.Half;
 import dev.twister.image.Frame;
+import dev.twister.kernel.Guides;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.world.FrameInput;
 import java.nio.IntBuffer;
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
@@ -29,6 +33,9 @@ public final class RefinedPicture {
     /** Of every second pass if the noise is estimated, else empty. */
     private final float[] otherSums;
 
+    /** Albedo, then normals, if the picture is to be denoised, else empty. */
+    private final float[] guideSums;
+
     private int samples;
     private int otherSamples;
     private int passes;
@@ -40,17 +47,28 @@ public final class RefinedPicture {
      * @param estimated whether to estimate the noise, which takes twice the memory
      */
     public RefinedPicture(int width, int height, int limit, boolean estimated) {
+        this(width, height, limit, estimated, false);
+    }
+
+    /**
+     * An empty picture that may be denoised.
+     *
+     * @param guided whether passes have guides
+     */
+    public RefinedPicture(int width, int height, int limit, boolean estimated, boolean guided) {
         this.width = width;
         this.height = height;
         this.limit = limit;
         sums = new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))];
         otherSums = new float[estimated ? sums.length : 0];
+        guideSums = new float[guided ? Math.multiplyExact(Guides.LAYERS, sums.length) : 0];
     }
 
     /** Restarts: the scene, the camera or a setting that changes radiance has changed. */
     public void reset() {
         Arrays.fill(sums, 0);
         Arrays.fill(otherSums, 0);
+        Arrays.fill(guideSums, 0);
         samples = 0;
         otherSamples = 0;
         passes = 0;
@@ -70,6 +88,11 @@ public final class RefinedPicture {
         return otherSums.length > 0;
     }
 
+    /** Whether passes have guides. */
+    public boolean isGuided() {
+        return guideSums.length > 0;
+    }
+
     public boolean isDone() {
         return samples >= limit;
     }
@@ -85,17 +108,18 @@ public final class RefinedPicture {
 
     /** What the next pass is to draw. */
     public FrameInput next(FrameInput input, int passSamples) {
-        return input.withSamples(samples, passSamples);
+        FrameInput pass = input.withSamples(samples, passSamples);
+        return isGuided() ? pass.withGuides() : pass;
     }
 
     /**
      * Adds a pass.
      *
      * @param pass linear, drawn from {@link #next} of as many samples
-     * @throws IllegalArgumentException if the frame is not linear or has another size
+     * @throws IllegalArgumentException if the frame is not linear, has another size or other layers
      */
     public void add(Frame pass, int passSamples) {
-        if (!pass.isLinear() || !fits(pass.width(), pass.height())) {
+        if (!pass.isLinear() || !fits(pass.width(), pass.height()) || pass.layers().length != guideSums.length) {
             throw new IllegalArgumentException("a pass must be linear and " + width + " x " + height + " pixels, not "
                     + pass.width() + " x " + pass.height());
         }
@@ -108,6 +132,9 @@ public final class RefinedPicture {
                 half[i] += passSamples * radiance[i];
             }
         });
+        for (int i = 0; i < guideSums.length; i++) {
+            guideSums[i] += passSamples * pass.layers()[i];
+        }
         samples += passSamples;
         otherSamples += other ? passSamples : 0;
         passes++;
@@ -167,6 +194,19 @@ public final class RefinedPicture {
             }
         });
         return radiance;
+    }
+
+    /** The picture so far with its guides. */
+    public NoisyPicture noisy() {
+        float[] guides = new float[guideSums.length];
+        for (int i = 0; i < guides.length; i++) {
+            guides[i] = guideSums[i] / samples;
+        }
+        return new NoisyPicture(
+                width,
+                height,
+                new Plane(radiance(), 0),
+                Optional.of(new NoisyPicture.Guides(new Plane(guides, 0), new Plane(guides, sums.length))));
     }
 
     private float sum(int value) {

@@ -13,6 +13,7 @@ import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.HistogramView;
 import dev.twister.gui.studio.EngineList;
+import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
@@ -58,11 +59,12 @@ public final class Panel extends ScrollPane {
             Comparison comparison,
             BooleanProperty clippingShown,
             AssetActions assets,
+            Errands errands,
             CommandActions actions) {
         engine = new EngineSection(
                 studio, engines, studio.engineProperty().get().offer().id());
         compare = new CompareSection(studio, engines, comparison);
-        picture = new PictureSection(studio, clippingShown);
+        picture = new PictureSection(studio, errands, clippingShown);
         histogram = new HistogramView(studio, actions);
         camera = new CameraSection(studio);
         light = new LightSection(studio);
@@ -231,6 +233,8 @@ public final class Panel extends ScrollPane {
         studio.setResolution(ResolutionMode.WINDOW);
         studio.setShown(Picture.REFLECTIONS);
         studio.refiningProperty().set(true);
+        studio.noiseGoalProperty().set(0.0);
+        studio.denoiserProperty().set(Optional.empty());
         if (!studio.engineProperty().get().offer().id().equals(usualEngine)) {
             engines.find(usualEngine).ifPresent(studio::chooseEngine);
         }

@@ -3,6 +3,7 @@ package dev.twister.gui.panel;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.panel.ChoiceRow.Look;
+import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
@@ -22,9 +23,10 @@ final class PictureSection {
     private final SwitchRow srgb;
     private final SwitchRow refining;
     private final SwitchRow clipping;
+    private final RestRows rest;
 
     /** @param clippingShown whether clipped pixels are marked */
-    PictureSection(Studio studio, BooleanProperty clippingShown) {
+    PictureSection(Studio studio, Errands errands, BooleanProperty clippingShown) {
         this.studio = studio;
         numbers = NumberRow.of(SceneNumbers.PICTURE, studio);
         integrator = new ChoiceRow<>(
@@ -49,6 +51,7 @@ final class PictureSection {
                 "Alt+N",
                 studio.refiningProperty()::set);
         clipping = new SwitchRow("Show clipping", Command.CLIPPING.hint(), "Alt+Z", clippingShown::set);
+        rest = new RestRows(studio, errands);
         clippingShown.subscribe(on -> clipping.show(on, false));
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.document().originalProperty().subscribe(_ -> refresh());
@@ -56,7 +59,8 @@ final class PictureSection {
     }
 
     List<PanelRow> rows() {
-        return Stream.concat(numbers.stream(), Stream.of(integrator, toneMap, srgb, refining, clipping))
+        return Stream.of(numbers, List.of(integrator, toneMap, srgb, refining), rest.rows(), List.of(clipping))
+                .<PanelRow>flatMap(List::stream)
                 .toList();
     }
 

@@ -149,7 +149,7 @@ public final class Comparison implements AutoCloseable {
                     leading.width(),
                     leading.height(),
                     choice,
-                    leading.refineTo(),
+                    leading.refinement(),
                     leading.motion(),
                     shown.get().orElse(leading.shown())));
         }

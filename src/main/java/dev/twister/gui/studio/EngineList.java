@@ -83,7 +83,6 @@ public final class EngineList {
     }
 
     private static boolean rests(DrawnPicture picture) {
-        return !picture.request().isContinuous()
-                && picture.samples() >= picture.request().refineTo();
+        return !picture.request().isContinuous() && picture.gathered().isDone();
     }
 }

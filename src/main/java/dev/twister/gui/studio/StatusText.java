@@ -35,6 +35,7 @@ public final class StatusText {
                         picture.frame().width() + " × " + picture.frame().height(),
                         picture.samples() + (picture.samples() == 1 ? " sample per pixel" : " samples per pixel"),
                         noise(picture),
+                        picture.gathered().denoised() ? "denoised" : "",
                         picture.input().bodyCount() + " bodies",
                         meshes(picture.request().scene().meshes().size()),
                         camera.aperture() > 0 ? "focus at " + meters(camera) : "")
@@ -66,7 +67,7 @@ public final class StatusText {
     /** Whether {@link #facts} are the same for both, without formatting them. */
     public static boolean isSame(DrawnPicture one, DrawnPicture other) {
         return one.request().number() == other.request().number()
-                && one.samples() == other.samples()
+                && one.gathered().equals(other.gathered())
                 && one.input().bodyCount() == other.input().bodyCount()
                 && one.engine().equals(other.engine())
                 && one.isWhole()

@@ -1,11 +1,13 @@
 package dev.twister.gui.studio;
 
+import dev.twister.denoise.DenoiserOffer;
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawingRequest;
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
+import dev.twister.gui.drawing.Refinement;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.RefinementGoal;
@@ -26,11 +28,13 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
 
 /**
  * The application's state, and the only class that changes it: views bind to its properties and call its methods. Used
@@ -51,6 +55,8 @@ public final class Studio implements AutoCloseable {
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
+    private final ObjectProperty<Double> noiseGoal = new SimpleObjectProperty<>(0.0);
+    private final ObjectProperty<Optional<DenoiserOffer>> denoiser = new SimpleObjectProperty<>(Optional.empty());
     private final ReadOnlyStringWrapper notice = new ReadOnlyStringWrapper("");
 
     /** The warnings about files in the notice; empty if it says something else. */
@@ -82,6 +88,8 @@ public final class Studio implements AutoCloseable {
         hand = new CameraHand(document, this::notice);
         film = new Film(document, motion::isOn, this::notice);
         refining.subscribe(_ -> request());
+        noiseGoal.subscribe(_ -> request());
+        denoiser.subscribe(_ -> request());
     }
 
     /**
@@ -134,7 +142,7 @@ public final class Studio implements AutoCloseable {
                 .filter(shown -> shown.isWhole()
                         && shown.request().number() == requests
                         && !shown.request().isContinuous()
-                        && shown.samples() >= shown.request().refineTo())
+                        && shown.gathered().isDone())
                 .map(DrawnPicture::samples);
     }
 
@@ -174,6 +182,16 @@ public final class Studio implements AutoCloseable {
     /** Whether a still picture gathers samples and then rests; if not, it is drawn again and again. */
     public BooleanProperty refiningProperty() {
         return refining;
+    }
+
+    /** The noise at which a path-traced picture rests, relative to white; 0 for none. */
+    public ObjectProperty<Double> noiseGoalProperty() {
+        return noiseGoal;
+    }
+
+    /** What removes the noise of a path-traced picture at rest; empty to leave it. */
+    public ObjectProperty<Optional<DenoiserOffer>> denoiserProperty() {
+        return denoiser;
     }
 
     /** The pictures of the last ten seconds. */
@@ -408,6 +426,7 @@ public final class Studio implements AutoCloseable {
             requests++;
             PictureSize size = resolution.get().size(viewWidth, viewHeight);
             int refineTo = refining.get() ? RefinementGoal.samples(scene(), shown.get()) : 0;
+            Refinement refinement = new Refinement(refineTo, noiseGoal.get(), denoiser.get());
             loop.request(new DrawingRequest(
                     requests,
                     document.number(),
@@ -415,7 +434,7 @@ public final class Studio implements AutoCloseable {
                     size.width(),
                     size.height(),
                     engine.get(),
-                    refineTo,
+                    refinement,
                     motion.motionProperty().get(),
                     shown.get()));
         }

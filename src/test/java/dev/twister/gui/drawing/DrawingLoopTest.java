@@ -491,7 +491,7 @@ class DrawingLoopTest {
         List<Integer> samples = new CopyOnWriteArrayList<>();
         loop.watch(picture -> samples.add(picture.samples()));
         loop.request(new DrawingRequest(
-                2, 1, scene, LARGE_WIDTH, LARGE_HEIGHT, chosen, 16, Motion.NONE, Picture.REFLECTIONS));
+                2, 1, scene, LARGE_WIDTH, LARGE_HEIGHT, chosen, Refinement.to(16), Motion.NONE, Picture.REFLECTIONS));
 
         await(() -> !samples.isEmpty());
         // What is clicked in the one before is of no scene any more, and more samples take as much longer.
@@ -529,7 +529,15 @@ class DrawingLoopTest {
     /** To follow all others. */
     private DrawingRequest large(long document, Scene wanted, Motion motion) {
         return new DrawingRequest(
-                Long.MAX_VALUE, document, wanted, LARGE_WIDTH, LARGE_HEIGHT, chosen, 1, motion, Picture.REFLECTIONS);
+                Long.MAX_VALUE,
+                document,
+                wanted,
+                LARGE_WIDTH,
+                LARGE_HEIGHT,
+                chosen,
+                Refinement.to(1),
+                motion,
+                Picture.REFLECTIONS);
     }
 
     private void beSlow(TestEngine.Kind kind) {
@@ -608,8 +616,8 @@ class DrawingLoopTest {
 
     private void request(Scene wanted, int refineTo, Motion motion) {
         requests++;
-        loop.request(
-                new DrawingRequest(requests, 0, wanted, WIDTH, HEIGHT, chosen, refineTo, motion, Picture.REFLECTIONS));
+        loop.request(new DrawingRequest(
+                requests, 0, wanted, WIDTH, HEIGHT, chosen, Refinement.to(refineTo), motion, Picture.REFLECTIONS));
     }
 
     private DrawnPicture awaitAnswer() {

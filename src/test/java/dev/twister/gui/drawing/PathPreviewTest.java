@@ -161,7 +161,15 @@ class PathPreviewTest {
     private void request(Scene wanted, int refineTo, Motion motion) {
         requests++;
         loop.request(new DrawingRequest(
-                requests, 0, wanted, WIDTH, HEIGHT, new EngineChoice(0, paced), refineTo, motion, Picture.REFLECTIONS));
+                requests,
+                0,
+                wanted,
+                WIDTH,
+                HEIGHT,
+                new EngineChoice(0, paced),
+                Refinement.to(refineTo),
+                motion,
+                Picture.REFLECTIONS));
     }
 
     private DrawnPicture await(Predicate<DrawnPicture> wanted) {

@@ -15,7 +15,6 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -130,8 +129,7 @@ class PictureExchangeTest {
                 "test",
                 "a test",
                 FrameTimes.NONE,
-                1,
-                OptionalDouble.empty(),
+                Gathered.of(1),
                 number,
                 original,
                 number);

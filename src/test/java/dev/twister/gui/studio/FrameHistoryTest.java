@@ -8,6 +8,7 @@ import dev.twister.gui.WindowScenes;
 import dev.twister.gui.drawing.DrawingRequest;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
+import dev.twister.gui.drawing.Gathered;
 import dev.twister.gui.picture.FrameTimesView;
 import dev.twister.gui.picture.GraphScale;
 import dev.twister.image.Frame;
@@ -15,7 +16,6 @@ import dev.twister.image.FrameTimes;
 import dev.twister.world.SampleWorld;
 import dev.twister.world.SceneMeshes;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 
 class FrameHistoryTest {
@@ -116,8 +116,7 @@ class FrameHistoryTest {
                 "test",
                 "a test",
                 times,
-                1,
-                OptionalDouble.empty(),
+                Gathered.of(1),
                 number,
                 number,
                 nanos);

@@ -7,6 +7,7 @@ import dev.twister.gui.WindowScenes;
 import dev.twister.gui.drawing.DrawingRequest;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
+import dev.twister.gui.drawing.Gathered;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.scene.Camera;
@@ -85,8 +86,7 @@ class StatusTextTest {
                 engine,
                 "a test",
                 FrameTimes.NONE,
-                samples,
-                noise,
+                new Gathered(samples, noise, false, false),
                 1,
                 1,
                 1);

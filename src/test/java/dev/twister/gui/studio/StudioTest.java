@@ -166,10 +166,11 @@ class StudioTest {
     @Test
     void aPictureWithALensGathersMoreSamples() {
         studio.setViewSize(SIDE, SIDE);
-        assertThat(awaitRequest(_ -> true).refineTo()).isEqualTo(RefinementGoal.SHARP);
+        assertThat(awaitRequest(_ -> true).refinement().samples()).isEqualTo(RefinementGoal.SHARP);
         studio.edit("aperture", now -> now.withCamera(now.camera().withAperture(0.1)));
         assertThat(awaitRequest(request -> request.scene().camera().aperture() > 0)
-                        .refineTo())
+                        .refinement()
+                        .samples())
                 .isEqualTo(RefinementGoal.NOISY);
     }
 

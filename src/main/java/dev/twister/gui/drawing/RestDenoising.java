@@ -1,0 +1,118 @@
+package dev.twister.gui.drawing;
+
+import dev.twister.denoise.Denoiser;
+import dev.twister.denoise.DenoiserOffer;
+import dev.twister.denoise.NoisyPicture;
+import dev.twister.gui.model.RefinedPicture;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+
+/**
+ * Removes the noise of a picture at rest on a thread of its own, while it gathers more samples: whenever it has twice
+ * as many as before, and when it is done. Used by the drawing thread.
+ */
+final class RestDenoising implements AutoCloseable {
+    private final Runnable whenReady;
+    private final ExecutorService thread = Executors.newSingleThreadExecutor(
+            Thread.ofPlatform().daemon().name("denoising").factory());
+
+    /** Used by the thread alone. */
+    private Optional<Denoiser> denoiser = Optional.empty();
+
+    private Optional<Work> work = Optional.empty();
+    private Optional<Clean> clean = Optional.empty();
+    private Optional<String> failure = Optional.empty();
+    private boolean outdated;
+
+    private record Work(int samples, CompletableFuture<float[]> result) {}
+
+    /**
+     * A picture without its noise.
+     *
+     * @param radiance as {@link dev.twister.image.Frame#radiance}
+     * @param samples of the noisy one
+     */
+    @SuppressWarnings("ArrayRecordComponent") // never compared
+    record Clean(float[] radiance, int samples) {}
+
+    /** @param whenReady called on another thread when {@link #advance} has something to return */
+    RestDenoising(Runnable whenReady) {
+        this.whenReady = whenReady;
+    }
+
+    /** Another picture is gathered from now on. */
+    void reset() {
+        clean = Optional.empty();
+        failure = Optional.empty();
+        outdated = work.isPresent();
+    }
+
+    /** Whether nothing is left to be done for a picture that is done. */
+    boolean isDone(RefinedPicture picture) {
+        return failure.isPresent()
+                || clean.filter(newest -> newest.samples() == picture.samples()).isPresent();
+    }
+
+    /** The newest picture without its noise. */
+    Optional<Clean> newest() {
+        return clean;
+    }
+
+    /** Why there is none. */
+    Optional<String> failure() {
+        return failure;
+    }
+
+    /**
+     * Takes what is finished, and begins with what has been gathered since.
+     *
+     * @param done whether the picture gathers no more samples
+     * @return whether there is a new {@link #newest}, or a {@link #failure}
+     */
+    boolean advance(RefinedPicture picture, boolean done, DenoiserOffer offer) {
+        boolean fresh = take();
+        int before = clean.map(Clean::samples).orElse(0);
+        boolean due = picture.samples() >= 2 * before || (done && picture.samples() > before);
+        if (work.isEmpty() && failure.isEmpty() && picture.samples() > 0 && due) {
+            NoisyPicture noisy = picture.noisy();
+            CompletableFuture<float[]> result =
+                    CompletableFuture.supplyAsync(() -> opened(offer).denoise(noisy), thread);
+            work = Optional.of(new Work(picture.samples(), result));
+            CompletableFuture<Void> _ = result.handle((_, _) -> null).thenRun(whenReady);
+        }
+        return fresh;
+    }
+
+    private boolean take() {
+        Optional<Work> finished = work.filter(begun -> begun.result().isDone());
+        if (finished.isEmpty()) {
+            return false;
+        }
+        boolean wanted = !outdated;
+        work = Optional.empty();
+        outdated = false;
+        try {
+            float[] radiance = finished.get().result().join();
+            clean = wanted ? Optional.of(new Clean(radiance, finished.get().samples())) : clean;
+        } catch (CompletionException problem) {
+            failure = Optional.of("not denoised: " + problem.getCause().getMessage());
+        }
+        return wanted;
+    }
+
+    private Denoiser opened(DenoiserOffer offer) {
+        if (denoiser.isEmpty()) {
+            denoiser = Optional.of(offer.opener().get());
+        }
+        return denoiser.get();
+    }
+
+    @Override
+    public void close() {
+        thread.execute(() -> denoiser.ifPresent(Denoiser::close));
+        thread.shutdown();
+    }
+}

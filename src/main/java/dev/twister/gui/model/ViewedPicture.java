@@ -1,0 +1,84 @@
+package dev.twister.gui.model;
+
+import dev.twister.image.ExrExtent;
+import dev.twister.image.ExrPicture;
+import dev.twister.image.ExrReader;
+import dev.twister.render.PictureFormat;
+import dev.twister.render.PictureLayers;
+import dev.twister.sky.Skybox;
+import dev.twister.sky.SkyboxReader;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A picture of a file.
+ *
+ * @param radiance linear, three floats per pixel
+ * @param lights its light layers; none if the file has none
+ */
+@SuppressWarnings("ArrayRecordComponent") // never compared
+public record ViewedPicture(int width, int height, float[] radiance, List<Light> lights) {
+    private static final int CHANNELS = 3;
+
+    /**
+     * The light of a group of lights.
+     *
+     * @param radiance as that of the picture
+     */
+    @SuppressWarnings("ArrayRecordComponent") // never compared
+    public record Light(String group, float[] radiance) {}
+
+    /**
+     * Reads a PNG, Radiance or OpenEXR file.
+     *
+     * @throws IOException if it cannot be read, or has no colors
+     * @throws dev.twister.scene.SceneException as above
+     */
+    public static ViewedPicture read(Path file) throws IOException {
+        if (!PictureFormat.of(file).equals(Optional.of(PictureFormat.EXR))) {
+            Skybox image = SkyboxReader.read(file);
+            return new ViewedPicture(image.width(), image.height(), image.radiance(), List.of());
+        }
+        ExrExtent extent = ExrReader.extent(file);
+        if (extent.rows() < extent.height()) {
+            throw new IOException(file + " is a part of a picture; 'twister join' makes a picture of parts");
+        }
+        ExrPicture picture = ExrReader.read(file);
+        float[] colors = PictureLayers.of(picture, PictureLayers.COLORS)
+                .orElseThrow(() -> new IOException(file + " has no colors, only numbers"));
+        List<Light> lights = new ArrayList<>();
+        for (String group : PictureLayers.lightGroups(picture)) {
+            PictureLayers.of(picture, PictureLayers.light(group))
+                    .ifPresent(radiance -> lights.add(new Light(group, radiance)));
+        }
+        return new ViewedPicture(picture.width(), picture.height(), colors, List.copyOf(lights));
+    }
+
+    /**
+     * The radiance with other strengths of the lights; the file's own if all are 1.
+     *
+     * @param strengths of each of the lights, 1 for the file's
+     */
+    public float[] lit(List<Double> strengths) {
+        if (strengths.stream().allMatch(strength -> strength == 1)) {
+            return radiance;
+        }
+        float[] sum = new float[radiance.length];
+        for (int index = 0; index < lights.size(); index++) {
+            float strength = strengths.get(index).floatValue();
+            float[] light = lights.get(index).radiance();
+            for (int i = 0; i < sum.length; i++) {
+                sum[i] += strength * light[i];
+            }
+        }
+        return sum;
+    }
+
+    /** A pixel's red, green or blue in {@link #lit}. */
+    public int at(int column, int row, int channel) {
+        return CHANNELS * (row * width + column) + channel;
+    }
+}

@@ -1,0 +1,58 @@
+package dev.twister.gui.picture;
+
+import dev.twister.gui.controls.Dialogs;
+import dev.twister.gui.controls.Problems;
+import dev.twister.gui.files.FileChoice;
+import dev.twister.gui.model.ViewedPicture;
+import dev.twister.gui.studio.Errands;
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.scene.Scene;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.stage.Stage;
+
+/** Windows with pictures of files. */
+public final class PictureViewer {
+    private static final double WIDTH = 1100;
+    private static final double HEIGHT = 700;
+
+    private final Stage owner;
+    private final FileChoice choice;
+    private final Dialogs dialogs;
+    private final Errands errands;
+    private Path folder = Path.of("").toAbsolutePath();
+
+    public PictureViewer(Stage owner, FileChoice choice, Dialogs dialogs, Errands errands) {
+        this.owner = owner;
+        this.choice = choice;
+        this.dialogs = dialogs;
+        this.errands = errands;
+    }
+
+    /** Asks for a picture, and shows it in a window of its own. */
+    public void open() {
+        choice.picture(folder).ifPresent(file -> {
+            folder = Optional.ofNullable(file.toAbsolutePath().getParent()).orElse(folder);
+            errands.run(
+                    () -> ViewedPicture.read(file),
+                    picture -> show(file, picture),
+                    problem -> dialogs.complain("Couldn't open the picture", Problems.explain(problem)));
+        });
+    }
+
+    private void show(Path file, ViewedPicture picture) {
+        Stage stage = new Stage();
+        stage.initOwner(owner);
+        stage.setTitle(file.getFileName() + " – Twister");
+        Scene scene = new Scene(new ViewerPane(picture, errands), WIDTH, HEIGHT);
+        scene.getStylesheets().setAll(owner.getScene().getStylesheets());
+        scene.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE) {
+                stage.hide();
+            }
+        });
+        stage.setScene(scene);
+        stage.show();
+    }
+}
