@@ -30,7 +30,8 @@ public final class TextureLanes {
     public static void multiply(Drawing drawing, Tile tile) {
         list(tile);
         if (tile.textures.count > 0) {
-            findPlaces(tile);
+            findTurns(tile);
+            findHeights(tile);
             findRepeats(tile, drawing.bodies.meshes.firstBody);
             fetchSizes(tile, drawing);
             findUpperLeft(tile, drawing.bodies.meshes.firstBody);
@@ -59,13 +60,12 @@ public final class TextureLanes {
         tile.lonely.count = count;
     }
 
-    /** Writes the texture coordinates of the normals, in [0, 1] from the left and from the top. */
-    static void findPlaces(Tile tile) {
+    /** Writes the horizontal texture coordinates of the normals, in [0, 1] from the left. */
+    static void findTurns(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.textures.count; k++) {
             int at = tile.textures.places[k];
             FloatVector x = Lanes.load(t, at + Tile.NORMAL_X);
-            FloatVector y = Lanes.load(t, at + Tile.NORMAL_Y);
             FloatVector z = Lanes.load(t, at + Tile.NORMAL_Z);
             FloatVector across = x.abs();
             FloatVector ahead = z.abs();
@@ -79,11 +79,23 @@ public final class TextureLanes {
                     .mul(TURNS_PER_RADIAN)
                     .add(0.5f);
             turns.blend(turns.add(1f), turns.compare(VectorOperators.LT, 0f)).intoArray(t, at + Tile.SKY_TO_RIGHT);
+        }
+    }
+
+    /** Writes their vertical texture coordinates, in [0, 1] from the top. */
+    static void findHeights(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.textures.count; k++) {
+            int at = tile.textures.places[k];
+            FloatVector x = Lanes.load(t, at + Tile.NORMAL_X);
+            FloatVector y = Lanes.load(t, at + Tile.NORMAL_Y);
+            FloatVector z = Lanes.load(t, at + Tile.NORMAL_Z);
             FloatVector level = Lanes.fma(x, x, z.mul(z)).sqrt();
             FloatVector up = y.abs();
             VectorMask<Float> steep = up.compare(VectorOperators.GT, level);
-            octant = ArcTangent.of(up.blend(level, steep).div(Lanes.larger(level.blend(up, steep), Lanes.all(TINY))));
-            quadrant = octant.blend(Lanes.all(KernelMath.HALF_PI).sub(octant), steep);
+            FloatVector octant =
+                    ArcTangent.of(up.blend(level, steep).div(Lanes.larger(level.blend(up, steep), Lanes.all(TINY))));
+            FloatVector quadrant = octant.blend(Lanes.all(KernelMath.HALF_PI).sub(octant), steep);
             FloatVector elevation = quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f));
             Lanes.all(0.5f).sub(elevation.mul(HALF_TURNS_PER_RADIAN)).intoArray(t, at + Tile.SKY_TO_BOTTOM);
         }
