@@ -15,6 +15,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** The buffers of a glTF file: in the GLB, embedded in the JSON, or in separate files. */
 final class GltfBuffers implements Closeable {
@@ -28,6 +29,7 @@ final class GltfBuffers implements Closeable {
     private final Bytes bytes;
     private final GltfDocument document;
     private final Map<Integer, Range> opened = new HashMap<>();
+    private final Map<String, Range> decompressed = new HashMap<>();
     private final List<FileChannel> channels = new ArrayList<>();
 
     GltfBuffers(Path file, Bytes bytes, GltfDocument document) {
@@ -36,8 +38,25 @@ final class GltfBuffers implements Closeable {
         this.document = document;
     }
 
-    /** The bytes of a buffer view. */
+    /** The bytes of a buffer view, decompressed. */
     Range view(GltfPlace view) throws IOException {
+        Optional<GltfPlace> compression = GltfMeshopt.of(view);
+        if (compression.isEmpty()) {
+            return stored(view);
+        }
+        Range known = decompressed.get("" + view);
+        if (known == null) {
+            Range compressed = stored(compression.get());
+            byte[] all = GltfMeshopt.decode(
+                    compression.get(),
+                    compressed.bytes().copy(compressed.start(), Math.toIntExact(compressed.length())));
+            known = new Range(Bytes.of(bytes.name() + ": " + view, all), 0, all.length);
+            decompressed.put("" + view, known);
+        }
+        return known;
+    }
+
+    private Range stored(GltfPlace view) throws IOException {
         GltfPlace buffers = document.root().at("buffers");
         if (buffers.size() > MAX_BUFFERS) {
             throw buffers.failure("has " + buffers.size() + " items; at most " + MAX_BUFFERS + " are read");
@@ -69,8 +88,7 @@ final class GltfBuffers implements Closeable {
         GltfPlace uri = buffer.at("uri");
         if (!uri.exists()) {
             if (index != 0 || document.binaryLength() == 0) {
-                throw buffer.failure("has no uri, and no bytes in this file; data that only an extension describes, as"
-                        + " EXT_meshopt_compression does, is not read");
+                throw buffer.failure("has no uri, and no bytes in this file");
             }
             return new Range(bytes, document.binaryStart(), document.binaryLength());
         }
@@ -121,9 +139,12 @@ final class GltfBuffers implements Closeable {
         }
     }
 
-    /** Total length of the opened buffers in bytes. */
+    /** Total length in bytes of the opened buffers, and of what was decompressed. */
     long openedBytes() {
-        return opened.values().stream().mapToLong(Range::length).sum();
+        return Stream.of(opened, decompressed)
+                .flatMap(ranges -> ranges.values().stream())
+                .mapToLong(Range::length)
+                .sum();
     }
 
     @Override

@@ -12,6 +12,8 @@ import java.util.Set;
 /** Reads glTF 2.0 files, as JSON or GLB. */
 final class GltfReader {
     private static final Set<String> READ = Set.of(
+            "EXT_meshopt_compression",
+            "KHR_meshopt_compression",
             "KHR_materials_emissive_strength",
             "KHR_materials_ior",
             "KHR_materials_pbrSpecularGlossiness",
@@ -94,7 +96,7 @@ final class GltfReader {
         for (GltfPlace required : root.at("extensionsRequired").items()) {
             String name = required.text();
             if (!READ.contains(name) && WITHOUT_GEOMETRY.stream().noneMatch(name::startsWith)) {
-                throw required.failure("is " + Shown.text(name) + ", which is not read; export the file without it");
+                throw required.failure("is " + Shown.text(name) + ", which is not read; " + advice(name));
             }
         }
         for (GltfPlace used : root.at("extensionsUsed").items()) {
@@ -104,10 +106,21 @@ final class GltfReader {
         }
     }
 
+    private static String advice(String extension) {
+        return extension.equals("KHR_draco_mesh_compression")
+                ? "decompress the file: npx @gltf-transform/cli copy FILE OUTPUT"
+                : "export the file without it";
+    }
+
     private static String lost(String extension) {
-        return extension.contains("material") || extension.contains("texture")
+        String loss = extension.contains("material") || extension.contains("texture")
                 ? "; the colors that it gives are lost"
                 : "";
+        return switch (extension) {
+            case "EXT_texture_webp", "EXT_texture_avif" -> loss + "; convert: npx @gltf-transform/cli png FILE OUTPUT";
+            case "KHR_texture_basisu" -> loss + "; convert: npx @gltf-transform/cli ktxdecompress FILE OUTPUT";
+            default -> loss;
+        };
     }
 
     private void warnOfUnused(GltfPlace root) {
