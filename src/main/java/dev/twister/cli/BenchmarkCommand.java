@@ -10,6 +10,7 @@ import dev.twister.bench.MotionPlan;
 import dev.twister.bench.PaperFigures;
 import dev.twister.bench.PaperFolder;
 import dev.twister.bench.PaperPlan;
+import dev.twister.bench.ReportComparison;
 import dev.twister.bench.ReportTable;
 import dev.twister.bench.Setting;
 import dev.twister.engine.EngineOffer;
@@ -51,6 +52,7 @@ import picocli.CommandLine.Spec;
             "  twister benchmark weekend --integrator path --size 1200x675",
             "  twister benchmark --paper --quick --output my-machine",
             "  twister benchmark --quick --engine vector --engine parallel --jit c2,graal",
+            "  twister benchmark --compare before.json after.json --within 3",
             "",
             "Exit code 1: an engine failed, or its picture differs."
         })
@@ -67,6 +69,8 @@ final class BenchmarkCommand implements Callable<Integer> {
     private static final int PATHS_PER_PIXEL = 1;
 
     private static final String PAPER_FOLDER = "twister-paper";
+    private static final double SLOWER_PERCENT = 5;
+    private static final double MAX_PERCENT = 1000;
     private static final String MAIN_CLASS = BenchmarkCommand.class.getPackageName() + ".Main";
     private static final int MAX_FRAMES = 100_000;
     private static final double MIN_SECONDS = 0.001;
@@ -132,7 +136,7 @@ final class BenchmarkCommand implements Callable<Integer> {
 
     @Option(
             names = "--max-seconds",
-            paramLabel = "S",
+            paramLabel = "SECONDS",
             description =
                     "Time limit per engine and size, warm-up included (default: 30). The small frames before the first"
                             + " size have the same limit.")
@@ -169,16 +173,43 @@ final class BenchmarkCommand implements Callable<Integer> {
                             + " needs GraalVM or a TornadoVM SDK. Default: this JVM's.")
     private List<Jit> jits = new ArrayList<>();
 
+    @Option(
+            names = "--compare",
+            arity = "2",
+            paramLabel = "FILE",
+            description = "Compare two reports of --json, .json or .jsonl, instead of measuring: ratios of the median"
+                    + " times with their uncertainty. Exit code 1: something became slower.")
+    private List<Path> compared = List.of();
+
+    @Option(
+            names = "--within",
+            paramLabel = "PERCENT",
+            description = "With --compare: how much slower, beyond the uncertainty, counts as equal (default: 5).")
+    private Optional<Double> within = Optional.empty();
+
     @Mixin
     private MotionOptions motion;
 
     @Override
     public Integer call() throws IOException {
+        if (!compared.isEmpty()) {
+            return compareReports();
+        }
+        if (within.isPresent()) {
+            throw new BadInputException("--within requires --compare");
+        }
         motion.check();
         if (!jits.isEmpty()) {
             return compareJits();
         }
         return paper ? evaluate() : compare();
+    }
+
+    private int compareReports() throws IOException {
+        double percent = Ranges.check("--within", within.orElse(SLOWER_PERCENT), 0, MAX_PERCENT);
+        ReportComparison comparison = ReportComparison.of(compared.getFirst(), compared.getLast(), percent);
+        spec.commandLine().getOut().println(comparison.table());
+        return comparison.passed() ? ExitCode.OK : ExitCode.FAILED;
     }
 
     private int compareJits() throws IOException {

@@ -63,7 +63,7 @@ final class FilmCommand implements Callable<Integer> {
             description = "N: frames 0 to N-1; A-B: frames A to B. Default: all frames found.")
     private Optional<FrameRange> frames = Optional.empty();
 
-    @Option(names = "--fps", paramLabel = "R", description = "Frames per second (default: 60).")
+    @Option(names = "--fps", paramLabel = "FPS", description = "Frames per second (default: 60).")
     private Optional<Double> rate = Optional.empty();
 
     @Mixin

@@ -11,10 +11,16 @@ final class MotionOptions {
     @Option(names = "--physics", description = "Simulate physics, including poured spheres.")
     private boolean physics;
 
-    @Option(names = "--fps", paramLabel = "R", description = "Frames per second of the film (default: 60).")
+    @Option(
+            names = "--fps",
+            paramLabel = "FPS",
+            description = "Frames per second, of the film or of the simulation (default: 60).")
     private Optional<Double> rate = Optional.empty();
 
-    @Option(names = "--start", paramLabel = "S", description = "Simulated seconds before the first frame (default: 0).")
+    @Option(
+            names = "--start",
+            paramLabel = "SECONDS",
+            description = "Simulated seconds before the first frame (default: 0).")
     private Optional<Double> start = Optional.empty();
 
     boolean isOn() {

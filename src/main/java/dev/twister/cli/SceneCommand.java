@@ -58,7 +58,7 @@ final class SceneCommand implements Callable<Integer> {
                 description = "Number of spheres, 1 to " + SceneGenerator.MAX_SPHERES + ".")
         private int count;
 
-        @Option(names = "--seed", paramLabel = "S", description = "Random seed (default: 1).")
+        @Option(names = "--seed", paramLabel = "N", description = "Random seed (default: 1).")
         private long seed = 1;
 
         @ArgGroup(exclusive = false)

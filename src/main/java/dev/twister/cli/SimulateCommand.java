@@ -62,7 +62,7 @@ final class SimulateCommand implements Callable<Integer> {
             description = "N: frames 0 to N-1; A-B: frames A to B. Frame n is at n / fps seconds.")
     private FrameRange frames;
 
-    @Option(names = "--fps", paramLabel = "R", description = "Frames per simulated second (default: 60).")
+    @Option(names = "--fps", paramLabel = "FPS", description = "Frames per simulated second (default: 60).")
     private Optional<Double> rate = Optional.empty();
 
     @Option(

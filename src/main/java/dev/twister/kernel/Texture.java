@@ -53,7 +53,7 @@ public final class Texture {
     }
 
     /** 1 if the nearest texel counts, else 0. */
-    static int isNearest(int sampler) {
+    public static int isNearest(int sampler) {
         return sampler / Layout.SAMPLER_NEAREST % 2;
     }
 

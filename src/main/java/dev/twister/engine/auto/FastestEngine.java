@@ -92,7 +92,7 @@ public final class FastestEngine {
      */
     public Engine openAtOnce(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
-        return remembered(offers)
+        return trusted(remembered(offers), candidates)
                 .map(id -> openWarming(openUnmeasured(candidates), id, candidates))
                 .orElseGet(() -> openToBeConfirmed(MOSTLY_FASTEST, candidates, () -> offers));
     }
@@ -107,13 +107,21 @@ public final class FastestEngine {
      */
     public Engine openAtOnce(List<EngineOffer> atOnce, Supplier<List<EngineOffer>> all) {
         List<EngineOffer> candidates = candidates(atOnce);
-        Optional<String> known = store.read(MachineKey.beforeDevices(candidates));
+        Optional<String> known = trusted(store.read(MachineKey.beforeDevices(candidates)), candidates);
         boolean device =
                 known.filter(id -> Engines.find(candidates, id).isEmpty()).isPresent();
         if (candidates.isEmpty() || device) {
             return openAtOnce(all.get());
         }
         return openToBeConfirmed(known.orElse(MOSTLY_FASTEST), candidates, all);
+    }
+
+    /**
+     * That {@code parallel} is the fastest beside others may have been measured on a busy machine or before the JIT was
+     * done. Then the usual engine warms up, and takes over only if it renders the same frames faster.
+     */
+    private static Optional<String> trusted(Optional<String> remembered, List<EngineOffer> candidates) {
+        return remembered.filter(id -> !id.equals(JvmEngines.PARALLEL) || candidates.size() == 1);
     }
 
     private Engine openToBeConfirmed(String id, List<EngineOffer> candidates, Supplier<List<EngineOffer>> all) {

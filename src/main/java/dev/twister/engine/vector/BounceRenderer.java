@@ -45,7 +45,7 @@ final class BounceRenderer {
             LightHit.add(rays, drawing.bodies);
         }
         if (rays.skies.count > 0) {
-            addSky(drawing, rays, bounce == 0 || offPlane, offPlane);
+            addSky(drawing, rays, (bounce == 0 && !drawing.lens) || offPlane, offPlane);
         }
         if (rays.grounds.count > 0) {
             GroundSurface.find(drawing, rays);

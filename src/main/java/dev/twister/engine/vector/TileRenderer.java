@@ -68,7 +68,7 @@ final class TileRenderer {
         if (sample > 0) {
             // The previous sample has changed both lists.
             CameraLanes.listInside(tile, drawing);
-            if (!drawing.crowded) {
+            if (!drawing.crowded && !drawing.lens) {
                 bench.choices.cullViewRays(drawing, tile);
             }
         }
@@ -77,7 +77,7 @@ final class TileRenderer {
     /** Follows the live rays from the given bounce to their ends. */
     private void follow(Drawing drawing, int firstBounce) {
         for (int bounce = firstBounce; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
-            boolean offPlane = bounce == 1 && tile.spheres.count == 0 && drawing.looks.plainPlane;
+            boolean offPlane = bounce == 1 && tile.spheres.count == 0 && drawing.looks.plainPlane && !drawing.lens;
             bounces.follow(drawing, tile, bounce, offPlane);
         }
         if (drawing.looks.transparent) {

@@ -253,6 +253,21 @@ class FastestEngineTest {
     }
 
     @Test
+    void whereParallelOnceWonTheUsualEngineIsTriedNonetheless() {
+        List<EngineOffer> offers = offers("parallel", "vector");
+        ChoiceStore store = new ChoiceStore(Optional.of(folder));
+        store.write(MachineKey.beforeDevices(offers), "parallel");
+        store.write(MachineKey.of(offers), "parallel");
+
+        try (Engine engine = fastest().openAtOnce(offers)) {
+            drawUntil(engine, "vector");
+        }
+        try (Engine engine = fastest().openAtOnce(offers, () -> offers)) {
+            drawUntil(engine, "vector");
+        }
+    }
+
+    @Test
     void anEngineThatNeedsNoDeviceIsTakenBeforeDevicesAreLookedFor() throws Exception {
         List<EngineOffer> all = offers("sequential", "parallel", "vector", "tornado:0:0");
         open(all);

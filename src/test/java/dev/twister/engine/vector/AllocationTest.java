@@ -48,6 +48,7 @@ final class AllocationTest {
         "512, crowd of 100",
         "512, pour-on-mesh",
         "256, glass",
+        "256, gallery",
         "512, glass",
         "256, crowd of 1000",
         "512, crowd of 1000"

@@ -21,6 +21,8 @@ import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.FrameInput;
+import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.View;
 import dev.twister.world.World;
 import java.nio.file.Path;
@@ -152,6 +154,19 @@ final class DeclinedTest {
             drawing.take(input, Frame.ofPixels(input.width(), input.rows()), false);
             assertThat(drawing.declined.isFrame()).isTrue();
         }
+    }
+
+    /** Textured and glass meshes, glass spheres and the lens. */
+    @ParameterizedTest
+    @ValueSource(strings = {"bokeh", "gallery", "glass"})
+    void shippedSceneIsDrawnWithoutTheKernel(String name) {
+        Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
+        SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
+        FrameInput input = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes)
+                .snapshot();
+        Drawing drawing = new Drawing();
+        drawing.take(input, Frame.ofPixels(input.width(), input.rows()), false);
+        assertThat(drawing.declined.isFrame() || drawing.declined.isAnyBody()).isFalse();
     }
 
     /** Rounding alone would decide per pixel whether the sphere is in front of the camera or around it. */

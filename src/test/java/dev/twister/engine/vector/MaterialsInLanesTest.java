@@ -9,6 +9,7 @@ import dev.twister.image.Frame;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.RandomScenes;
+import dev.twister.scene.Camera;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -31,8 +32,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Glass, rough surfaces and textures in lanes equal the scalar kernel's, in random scenes and also with cameras inside
- * glass.
+ * Glass, rough surfaces, textures and the lens in lanes equal the scalar kernel's, in random scenes and also with
+ * cameras inside glass.
  */
 final class MaterialsInLanesTest {
     private static final int NEVER_WALK = Integer.MAX_VALUE;
@@ -44,6 +45,7 @@ final class MaterialsInLanesTest {
         TEXTURES,
         ROUGH,
         GLASS,
+        LENS,
         ALL
     }
 
@@ -84,7 +86,12 @@ final class MaterialsInLanesTest {
         if (!spheres.isEmpty()) {
             addInsideAndBeside(spheres, spheres.getFirst());
         }
-        Scene scene = plain.withSpheres(spheres)
+        Camera camera = plain.camera();
+        if (kind == Kind.LENS || kind == Kind.ALL) {
+            camera = camera.withAperture(0.3 * random.nextDouble()).withFocusDistance(1 + 9 * random.nextDouble());
+        }
+        Scene scene = plain.withCamera(camera)
+                .withSpheres(spheres)
                 .withGround(plain.ground().withMaterial(material(plain.ground().material(), random, kind)));
         return World.of(scene, new SceneImages(lit.sky(), textures(scene, random)))
                 .snapshot();

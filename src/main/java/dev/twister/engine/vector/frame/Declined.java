@@ -3,6 +3,7 @@ package dev.twister.engine.vector.frame;
 import dev.twister.engine.vector.lanes.BodyList;
 import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Texture;
 import dev.twister.kernel.Tone;
 import dev.twister.kernel.Variant;
 import dev.twister.world.FrameInput;
@@ -38,7 +39,8 @@ public final class Declined {
      * Declines nothing until {@code take} is called.
      *
      * @param bodies the bodies to decline in addition to those that emit, are metallic or have normal, roughness,
-     *     emission or other maps, to transmitting bodies in a crowd and to meshes that have a texture or vertex colors
+     *     emission or other maps, to transmitting bodies in a crowd and to meshes that have vertex colors or a texture
+     *     that is not filtered or does not repeat
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
@@ -65,7 +67,6 @@ public final class Declined {
                 || toneMap < Tone.CLAMP
                 || toneMap > Tone.ACES
                 || occluders.count > MOST_OCCLUDERS
-                || input.view().frame()[Layout.CAMERA_APERTURE] > 0
                 || isCameraInside(input)
                 || isCameraOnASurface(input);
     }
@@ -76,6 +77,7 @@ public final class Declined {
         float cameraX = camera[Layout.CAMERA_POSITION];
         float cameraY = camera[Layout.CAMERA_POSITION + 1];
         float cameraZ = camera[Layout.CAMERA_POSITION + 2];
+        float aperture = camera[Layout.CAMERA_APERTURE];
         boolean on = false;
         int end = Layout.PLACE_STRIDE * input.bodyCount();
         for (int place = 0; place < end && !on; place += Layout.PLACE_STRIDE) {
@@ -83,7 +85,10 @@ public final class Declined {
             float y = places[place + 1] - cameraY;
             float z = places[place + 2] - cameraZ;
             float radiusSquared = places[place + Layout.PLACE_SIZE] * places[place + Layout.PLACE_SIZE];
-            on = Math.abs(x * x + y * y + z * z - radiusSquared) <= ROUNDING * radiusSquared
+            float squared = x * x + y * y + z * z;
+            float away = (float) Math.sqrt(squared) - places[place + Layout.PLACE_SIZE];
+            boolean throughLens = aperture > 0f && Math.abs(away) <= INSIDE * aperture;
+            on = (throughLens || Math.abs(squared - radiusSquared) <= ROUNDING * radiusSquared)
                     && place != Layout.PLACE_STRIDE * Layout.PLANE;
         }
         return on;
@@ -108,7 +113,8 @@ public final class Declined {
             declined[body] = bodies.test(body)
                     || isTintedOrEmits(body)
                     || (looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0 && crowded)
-                    || looks[Layout.LOOK_STRIDE * body + Layout.LOOK_MAPS] > 0;
+                    || hasMaps(body)
+                    || isColoredOtherwise(body);
             any |= declined[body];
         }
     }
@@ -135,6 +141,22 @@ public final class Declined {
         return found || (number > 0 && looks[row + Layout.MAPS_UNLIT] > 0);
     }
 
+    /** Whether a mesh has vertex colors, or a texture that does not repeat, is not filtered or has own coordinates. */
+    private boolean isColoredOtherwise(int body) {
+        int number = (int) looks[Layout.LOOK_STRIDE * body + Layout.LOOK_MAPS];
+        int row = maps + Layout.MAPS_STRIDE * (number - 1);
+        boolean otherwise = false;
+        if (number > 0) {
+            int sampler = (int) looks[row + Layout.MAPS_COLOR + Layout.MAP_SAMPLER];
+            otherwise = looks[row + Layout.MAPS_VERTEX_COLORS] > 0
+                    || looks[row + Layout.MAPS_COLOR + Layout.MAP_WIDTH] <= 0
+                    || sampler % Layout.SAMPLER_NEAREST != Texture.REPEAT * (1 + Layout.SAMPLER_DOWN)
+                    || Texture.isNearest(sampler) != 0
+                    || sampler >= Layout.SAMPLER_COORDINATES;
+        }
+        return otherwise;
+    }
+
     /** Whether view rays may start inside a declined body that transmits; lanes do not see it from there. */
     private boolean isCameraInside(FrameInput input) {
         float[] camera = input.view().frame();
@@ -146,7 +168,7 @@ public final class Declined {
                 float away = input.bodies().center(body, axis) - camera[Layout.CAMERA_POSITION + axis];
                 distanceSquared += away * away;
             }
-            float reach = INSIDE * input.bodies().size(body);
+            float reach = INSIDE * input.bodies().size(body) + camera[Layout.CAMERA_APERTURE];
             inside |=
                     distanceSquared <= reach * reach && looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
         }

@@ -37,6 +37,9 @@ public final class Drawing {
     public int pixelSamples;
     public float ambient;
 
+    /** Whether view rays start at the points of a lens instead of one point. */
+    public boolean lens;
+
     /** Distance between adjacent pixels on the viewport, in meters. */
     public float viewportStep;
 
@@ -110,6 +113,7 @@ public final class Drawing {
         bounceLimit = newInput.bounces();
         pixelSamples = (int) values[Layout.PIXEL_SAMPLES];
         ambient = values[Layout.AMBIENT];
+        lens = values[Layout.CAMERA_APERTURE] > 0f;
         viewportStep = CameraRay.step(width, newInput.height());
         planeHeight = newInput.bodies().center(Layout.PLANE, 1);
         planeX = newInput.bodies().center(Layout.PLANE, 0);

@@ -130,16 +130,31 @@ public final class Tile {
 
     public static final int TEXTURE_HEIGHT = DIRECTION_X + 46 * SIZE;
 
+    /** Texture coordinates on a mesh; valid until the texture's size is known. */
+    public static final int TEXTURE_U = TEXTURE_WIDTH;
+
+    public static final int TEXTURE_V = TEXTURE_HEIGHT;
+
     /** Normal of the reflecting microfacet, turned toward the ray's origin. */
     public static final int FACET_X = DIRECTION_X + 47 * SIZE;
 
     public static final int FACET_Y = DIRECTION_X + 48 * SIZE;
     public static final int FACET_Z = DIRECTION_X + 49 * SIZE;
 
+    /** Column and row of the upper left of the texels around the hit point, from -1 on. */
+    public static final int TEXEL_COLUMN = FACET_X;
+
+    public static final int TEXEL_ROW = FACET_Y;
+
     /** Two random numbers in [0, 1) that choose the microfacet. */
     public static final int FIRST_NUMBER = SKY_TO_RIGHT;
 
     public static final int SECOND_NUMBER = SKY_TO_BOTTOM;
+
+    /** A view ray's point on the lens, relative to the camera, in meters. */
+    public static final int LENS_RIGHT = POINT_X;
+
+    public static final int LENS_UP = POINT_Y;
 
     /** Cosines of a rough surface's normal with the incoming and an outgoing ray; valid once the facet is known. */
     public static final int COSINE_IN = SKY_TO_RIGHT;

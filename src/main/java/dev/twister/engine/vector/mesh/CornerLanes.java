@@ -124,6 +124,24 @@ final class CornerLanes {
         y.blend(height, on).intoArray(t, to);
     }
 
+    /** Interpolates the texture coordinates u and v of the three corners, one corner after the other. */
+    static void findTexturePlaces(Tile tile, int at, float[] corners, long lanes) {
+        float[] t = tile.values;
+        FloatVector b = FloatVector.fromArray(Lanes.FLOATS, corners, PART_B);
+        FloatVector c = FloatVector.fromArray(Lanes.FLOATS, corners, PART_C);
+        VectorMask<Float> here = VectorMask.fromLong(Lanes.FLOATS, lanes);
+        for (int axis = 0; axis < 2; axis++) {
+            int from = CORNERS + axis * Lanes.COUNT;
+            int to = at + Tile.TEXTURE_U + axis * Tile.SIZE;
+            FloatVector a = FloatVector.fromArray(Lanes.FLOATS, corners, from);
+            FloatVector place = a.add(b.mul(FloatVector.fromArray(Lanes.FLOATS, corners, from + 2 * Lanes.COUNT)
+                            .sub(a)))
+                    .add(c.mul(FloatVector.fromArray(Lanes.FLOATS, corners, from + 4 * Lanes.COUNT)
+                            .sub(a)));
+            FloatVector.fromArray(Lanes.FLOATS, t, to).blend(place, here).intoArray(t, to);
+        }
+    }
+
     /** Writes the face normals in the mesh's coordinates, scaled so that the largest component is 1. */
     static void findFaces(Tile tile, float[] corners) {
         FloatVector x = FloatVector.fromArray(Lanes.FLOATS, corners, CORNERS);

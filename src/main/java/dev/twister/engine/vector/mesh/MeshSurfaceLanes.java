@@ -28,7 +28,7 @@ public final class MeshSurfaceLanes {
             while (rest != 0L) {
                 int number = (int) tile.values[at + Long.numberOfTrailingZeros(rest) + Tile.INSTANCE];
                 long lanes = rest & ofInstance(tile, at, number);
-                find(bodies, tile, bench, at, lanes, Instance.at(number, bodies.instances(), hierarchy));
+                find(drawing, tile, bench, at, lanes, Instance.at(number, bodies.instances(), hierarchy));
                 rest &= ~lanes;
             }
         }
@@ -48,7 +48,8 @@ public final class MeshSurfaceLanes {
                 .toLong();
     }
 
-    private static void find(Bodies bodies, Tile tile, MeshBench bench, int at, long lanes, int instance) {
+    private static void find(Drawing drawing, Tile tile, MeshBench bench, int at, long lanes, int instance) {
+        Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.floats();
         PacketWalk world = bench.world;
         PacketWalk mesh = bench.mesh;
@@ -74,6 +75,10 @@ public final class MeshSurfaceLanes {
         }
         CornerLanes.turnNormals(tile, at, bench.corners, Tile.NORMAL_X, lanes, hierarchy, instance);
         CornerLanes.face(tile, at, lanes);
+        if (drawing.looks.textured && hierarchy[instance + Layout.INSTANCE_TEXTURE_PLACES] > 0f) {
+            fetchTexturePlaces(bodies.meshes(), bench.corners, lanes, Instance.texturePlaces(hierarchy, instance));
+            CornerLanes.findTexturePlaces(tile, at, bench.corners, lanes);
+        }
     }
 
     /** Copies the corners of each lane's triangle and their vertex numbers. */
@@ -97,6 +102,19 @@ public final class MeshSurfaceLanes {
                 corners[to] = meshes[from];
                 corners[to + Lanes.COUNT] = meshes[from + 1];
                 corners[to + 2 * Lanes.COUNT] = meshes[from + 2];
+            }
+        }
+    }
+
+    /** Copies the texture coordinates of those vertices. */
+    private static void fetchTexturePlaces(float[] meshes, float[] corners, long lanes, int places) {
+        for (long rest = lanes; rest != 0L; rest &= rest - 1) {
+            int lane = Long.numberOfTrailingZeros(rest);
+            for (int corner = 0; corner < 3; corner++) {
+                int from = places + 2 * (int) corners[CornerLanes.VERTICES + corner * Lanes.COUNT + lane];
+                int to = CornerLanes.CORNERS + 2 * corner * Lanes.COUNT + lane;
+                corners[to] = meshes[from];
+                corners[to + Lanes.COUNT] = meshes[from + 1];
             }
         }
     }

@@ -54,7 +54,7 @@ public final class Choices {
     /** Chooses how to render a tile, and lists the bodies that its view rays may hit. */
     public Way choose(Tile tile, Drawing drawing) {
         Way way = Way.ANY;
-        if (!drawing.crowded) {
+        if (!drawing.crowded && !drawing.lens) {
             cullViewRays(drawing, tile);
             if (drawing.shortcuts.take(Shortcut.CULLING) && tile.candidates.count == 0 && !tile.nearMeshes) {
                 way = chooseWithoutBodies(drawing, tile);
@@ -63,7 +63,7 @@ public final class Choices {
         return way;
     }
 
-    /** Lists the bodies that the tile's view rays may hit. */
+    /** Lists the bodies that the tile's view rays may hit, unless they start at a lens. */
     public void cullViewRays(Drawing drawing, Tile tile) {
         rays.holdViewRays(tile, drawing);
         cull(tile, drawing);
@@ -136,7 +136,7 @@ public final class Choices {
         if (offPlane) {
             rays.mirror(drawing.planeHeight);
             cull(tile, drawing);
-        } else if (bounce > 0) {
+        } else if (bounce > 0 || drawing.lens) {
             rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT);
             rays.holdRays(tile, tile.live);
             cull(tile, drawing);

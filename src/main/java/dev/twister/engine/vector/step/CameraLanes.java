@@ -25,10 +25,13 @@ public final class CameraLanes {
         }
     }
 
-    /** Starts the live rays at the camera. */
+    /** Starts the live rays at the camera or its lens. */
     public static void startRays(Drawing drawing, Tile tile) {
         aim(tile, drawing);
         place(tile, drawing.input.view().frame());
+        if (drawing.lens) {
+            LensLanes.bend(drawing, tile);
+        }
     }
 
     /** Writes the rays' directions through the current samples. */

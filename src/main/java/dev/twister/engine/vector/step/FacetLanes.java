@@ -23,8 +23,8 @@ public final class FacetLanes {
         face(tile, packets);
         if (tile.rough.count > 0) {
             int place = Noise.surface(bounce);
-            NumberLanes.find(tile, drawing, place, Tile.FIRST_NUMBER);
-            NumberLanes.find(tile, drawing, place + 1, Tile.SECOND_NUMBER);
+            NumberLanes.find(tile, drawing, tile.rough, place, Tile.FIRST_NUMBER);
+            NumberLanes.find(tile, drawing, tile.rough, place + 1, Tile.SECOND_NUMBER);
             findViews(tile);
             findHeights(tile);
             addAround(tile, COSINE, Tile.LOCAL_X);

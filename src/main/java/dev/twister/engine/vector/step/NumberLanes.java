@@ -3,6 +3,7 @@ package dev.twister.engine.vector.step;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Hash;
 import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.PacketList;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Noise;
@@ -11,50 +12,50 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The random numbers of a sample for rough surfaces: {@link Noise#number}. Each method hashes once: with more, C2 makes
- * objects of vectors.
+ * The random numbers of a sample for rough surfaces and for the lens: {@link Noise#number}. Each method hashes once:
+ * with more, C2 makes objects of vectors.
  */
 final class NumberLanes {
     private NumberLanes() {}
 
-    /** Writes one of the sample's numbers in the packets with rough surfaces. */
-    static void find(Tile tile, Drawing drawing, int place, int column) {
+    /** Writes one of the sample's numbers in some packets. */
+    static void find(Tile tile, Drawing drawing, PacketList packets, int place, int column) {
         int left = tile.left;
         int top = drawing.input.firstRow() + tile.top;
-        mix(tile, Tile.PLACE_X, left, 2 * place, Tile.UPPER_LEFT);
-        mix(tile, Tile.PLACE_Y, top, 2 * place + 1, Tile.UPPER_RIGHT);
-        join(tile, Tile.UPPER_LEFT, Tile.UPPER_RIGHT);
+        mix(tile, packets, Tile.PLACE_X, left, 2 * place, Tile.UPPER_LEFT);
+        mix(tile, packets, Tile.PLACE_Y, top, 2 * place + 1, Tile.UPPER_RIGHT);
+        join(tile, packets, Tile.UPPER_LEFT, Tile.UPPER_RIGHT);
         if (place < Layout.SAMPLE_STRIDE) {
-            shift(tile, drawing.input.view().sample(tile.sample, place), column);
+            shift(tile, packets, drawing.input.view().sample(tile.sample, place), column);
         } else {
             int sample = (int) drawing.input.view().frame()[Layout.FIRST_SAMPLE] + tile.sample;
-            mixAgain(tile, sample & Noise.BITS);
-            mixAgain(tile, Noise.mixed((sample >> 16) ^ Noise.mixed(place)));
-            mix(tile, Tile.PLACE_Y, top, 2 * (place + 1), Tile.UPPER_RIGHT);
-            mix(tile, Tile.PLACE_X, left, 2 * (place + 1) + 1, Tile.LOWER_LEFT);
-            join(tile, Tile.UPPER_RIGHT, Tile.LOWER_LEFT);
-            join(tile, Tile.UPPER_RIGHT, Tile.UPPER_LEFT);
-            write(tile, column);
+            mixAgain(tile, packets, sample & Noise.BITS);
+            mixAgain(tile, packets, Noise.mixed((sample >> 16) ^ Noise.mixed(place)));
+            mix(tile, packets, Tile.PLACE_Y, top, 2 * (place + 1), Tile.UPPER_RIGHT);
+            mix(tile, packets, Tile.PLACE_X, left, 2 * (place + 1) + 1, Tile.LOWER_LEFT);
+            join(tile, packets, Tile.UPPER_RIGHT, Tile.LOWER_LEFT);
+            join(tile, packets, Tile.UPPER_RIGHT, Tile.UPPER_LEFT);
+            write(tile, packets, column);
         }
     }
 
     /** Writes hashes of the pixels' columns or rows to a column of {@link Tile#corners}. */
-    static void mix(Tile tile, int from, int offset, int place, int to) {
+    static void mix(Tile tile, PacketList packets, int from, int offset, int place, int to) {
         float[] t = tile.values;
         int[] hashes = tile.corners;
         int key = Noise.mixed(place);
-        for (int k = 0; k < tile.rough.count; k++) {
-            int at = tile.rough.places[k];
+        for (int k = 0; k < packets.count; k++) {
+            int at = packets.places[k];
             IntVector pixel = Lanes.truncated(Lanes.load(t, at + from)).add(offset);
             Hash.mixed(pixel.lanewise(VectorOperators.XOR, key)).intoArray(hashes, at + to);
         }
     }
 
     /** Replaces the hashes of one column by those of both. */
-    static void join(Tile tile, int column, int other) {
+    static void join(Tile tile, PacketList packets, int column, int other) {
         int[] hashes = tile.corners;
-        for (int k = 0; k < tile.rough.count; k++) {
-            int at = tile.rough.places[k];
+        for (int k = 0; k < packets.count; k++) {
+            int at = packets.places[k];
             IntVector first = IntVector.fromArray(Lanes.INTS, hashes, at + column);
             IntVector second = IntVector.fromArray(Lanes.INTS, hashes, at + other);
             Hash.mixed(first.lanewise(VectorOperators.XOR, second)).intoArray(hashes, at + column);
@@ -62,20 +63,20 @@ final class NumberLanes {
     }
 
     /** Hashes the first column again with a number. */
-    static void mixAgain(Tile tile, int number) {
+    static void mixAgain(Tile tile, PacketList packets, int number) {
         int[] hashes = tile.corners;
-        for (int k = 0; k < tile.rough.count; k++) {
-            int at = tile.rough.places[k] + Tile.UPPER_LEFT;
+        for (int k = 0; k < packets.count; k++) {
+            int at = packets.places[k] + Tile.UPPER_LEFT;
             IntVector hash = IntVector.fromArray(Lanes.INTS, hashes, at);
             Hash.mixed(hash.lanewise(VectorOperators.XOR, number)).intoArray(hashes, at);
         }
     }
 
     /** Writes a number of the frame, shifted by each pixel's hash. */
-    static void shift(Tile tile, float shared, int column) {
+    static void shift(Tile tile, PacketList packets, float shared, int column) {
         float[] t = tile.values;
-        for (int k = 0; k < tile.rough.count; k++) {
-            int at = tile.rough.places[k];
+        for (int k = 0; k < packets.count; k++) {
+            int at = packets.places[k];
             FloatVector number = Lanes.toFloats(IntVector.fromArray(Lanes.INTS, tile.corners, at + Tile.UPPER_LEFT))
                     .mul(Noise.STEP)
                     .add(shared);
@@ -84,10 +85,10 @@ final class NumberLanes {
     }
 
     /** Writes the numbers of 24 bits whose upper 16 are the first column's hashes. */
-    static void write(Tile tile, int column) {
+    static void write(Tile tile, PacketList packets, int column) {
         float[] t = tile.values;
-        for (int k = 0; k < tile.rough.count; k++) {
-            int at = tile.rough.places[k];
+        for (int k = 0; k < packets.count; k++) {
+            int at = packets.places[k];
             IntVector high = IntVector.fromArray(Lanes.INTS, tile.corners, at + Tile.UPPER_LEFT);
             IntVector low = IntVector.fromArray(Lanes.INTS, tile.corners, at + Tile.UPPER_RIGHT)
                     .and(255);

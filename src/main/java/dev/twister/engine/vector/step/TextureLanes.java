@@ -30,9 +30,11 @@ public final class TextureLanes {
     public static void multiply(Drawing drawing, Tile tile) {
         list(tile);
         if (tile.textures.count > 0) {
-            findPlaces(tile);
-            findRepeats(tile);
+            findTurns(tile);
+            findHeights(tile);
+            findRepeats(tile, drawing.bodies.meshes.firstBody);
             fetchSizes(tile, drawing);
+            findUpperLeft(tile, drawing.bodies.meshes.firstBody);
             findTexels(tile);
             fetch(tile, drawing);
             multiply(tile);
@@ -58,13 +60,12 @@ public final class TextureLanes {
         tile.lonely.count = count;
     }
 
-    /** Writes the texture coordinates of the normals, in [0, 1] from the left and from the top. */
-    static void findPlaces(Tile tile) {
+    /** Writes the horizontal texture coordinates of the normals, in [0, 1] from the left. */
+    static void findTurns(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.textures.count; k++) {
             int at = tile.textures.places[k];
             FloatVector x = Lanes.load(t, at + Tile.NORMAL_X);
-            FloatVector y = Lanes.load(t, at + Tile.NORMAL_Y);
             FloatVector z = Lanes.load(t, at + Tile.NORMAL_Z);
             FloatVector across = x.abs();
             FloatVector ahead = z.abs();
@@ -78,29 +79,43 @@ public final class TextureLanes {
                     .mul(TURNS_PER_RADIAN)
                     .add(0.5f);
             turns.blend(turns.add(1f), turns.compare(VectorOperators.LT, 0f)).intoArray(t, at + Tile.SKY_TO_RIGHT);
+        }
+    }
+
+    /** Writes their vertical texture coordinates, in [0, 1] from the top. */
+    static void findHeights(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.textures.count; k++) {
+            int at = tile.textures.places[k];
+            FloatVector x = Lanes.load(t, at + Tile.NORMAL_X);
+            FloatVector y = Lanes.load(t, at + Tile.NORMAL_Y);
+            FloatVector z = Lanes.load(t, at + Tile.NORMAL_Z);
             FloatVector level = Lanes.fma(x, x, z.mul(z)).sqrt();
             FloatVector up = y.abs();
             VectorMask<Float> steep = up.compare(VectorOperators.GT, level);
-            octant = ArcTangent.of(up.blend(level, steep).div(Lanes.larger(level.blend(up, steep), Lanes.all(TINY))));
-            quadrant = octant.blend(Lanes.all(KernelMath.HALF_PI).sub(octant), steep);
+            FloatVector octant =
+                    ArcTangent.of(up.blend(level, steep).div(Lanes.larger(level.blend(up, steep), Lanes.all(TINY))));
+            FloatVector quadrant = octant.blend(Lanes.all(KernelMath.HALF_PI).sub(octant), steep);
             FloatVector elevation = quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f));
             Lanes.all(0.5f).sub(elevation.mul(HALF_TURNS_PER_RADIAN)).intoArray(t, at + Tile.SKY_TO_BOTTOM);
         }
     }
 
-    /** As above for the plane, on which the texture repeats every meter. */
-    static void findRepeats(Tile tile) {
+    /** As above for the plane, on which the texture repeats every meter, and for meshes, which have coordinates. */
+    static void findRepeats(Tile tile, int firstMesh) {
         float[] t = tile.values;
         for (int k = 0; k < tile.textures.count; k++) {
             int at = tile.textures.places[k];
-            VectorMask<Float> ground = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE);
-            FloatVector x = Lanes.load(t, at + Tile.POINT_X);
-            FloatVector z = Lanes.load(t, at + Tile.POINT_Z).neg();
+            FloatVector hit = Lanes.load(t, at + Tile.HIT);
+            VectorMask<Float> mesh = hit.compare(VectorOperators.GE, firstMesh);
+            VectorMask<Float> repeats = mesh.or(hit.compare(VectorOperators.EQ, Layout.PLANE));
+            FloatVector u = Lanes.load(t, at + Tile.POINT_X).blend(Lanes.load(t, at + Tile.TEXTURE_U), mesh);
+            FloatVector v = Lanes.load(t, at + Tile.POINT_Z).neg().blend(Lanes.load(t, at + Tile.TEXTURE_V), mesh);
             Lanes.load(t, at + Tile.SKY_TO_RIGHT)
-                    .blend(x.sub(Lanes.floor(x)), ground)
+                    .blend(u.sub(Lanes.floor(u)), repeats)
                     .intoArray(t, at + Tile.SKY_TO_RIGHT);
             Lanes.load(t, at + Tile.SKY_TO_BOTTOM)
-                    .blend(z.sub(Lanes.floor(z)), ground)
+                    .blend(v.sub(Lanes.floor(v)), repeats)
                     .intoArray(t, at + Tile.SKY_TO_BOTTOM);
         }
     }
@@ -118,10 +133,9 @@ public final class TextureLanes {
         }
     }
 
-    /** Turns the coordinates into the four texels around them and the fractions from the upper left one. */
-    static void findTexels(Tile tile) {
+    /** Turns the coordinates into column and row of the upper left of four texels, and the fractions from there. */
+    static void findUpperLeft(Tile tile, int firstMesh) {
         float[] t = tile.values;
-        int[] corners = tile.corners;
         for (int k = 0; k < tile.textures.count; k++) {
             int at = tile.textures.places[k];
             FloatVector columns = Lanes.load(t, at + Tile.TEXTURE_WIDTH);
@@ -130,11 +144,29 @@ public final class TextureLanes {
                     Lanes.load(t, at + Tile.SKY_TO_RIGHT).mul(columns).sub(0.5f);
             FloatVector row = Lanes.load(t, at + Tile.SKY_TO_BOTTOM).mul(rows).sub(0.5f);
             FloatVector toPole = Lanes.smaller(Lanes.larger(row, Lanes.all(0f)), rows.sub(1f));
-            row = toPole.blend(row, Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE));
+            FloatVector hit = Lanes.load(t, at + Tile.HIT);
+            VectorMask<Float> repeats =
+                    hit.compare(VectorOperators.EQ, Layout.PLANE).or(hit.compare(VectorOperators.GE, firstMesh));
+            row = toPole.blend(row, repeats);
             FloatVector left = Lanes.floor(column);
             FloatVector top = Lanes.floor(row);
             column.sub(left).intoArray(t, at + Tile.SKY_TO_RIGHT);
             row.sub(top).intoArray(t, at + Tile.SKY_TO_BOTTOM);
+            left.intoArray(t, at + Tile.TEXEL_COLUMN);
+            top.intoArray(t, at + Tile.TEXEL_ROW);
+        }
+    }
+
+    /** Writes the four texels. */
+    static void findTexels(Tile tile) {
+        float[] t = tile.values;
+        int[] corners = tile.corners;
+        for (int k = 0; k < tile.textures.count; k++) {
+            int at = tile.textures.places[k];
+            FloatVector columns = Lanes.load(t, at + Tile.TEXTURE_WIDTH);
+            FloatVector rows = Lanes.load(t, at + Tile.TEXTURE_HEIGHT);
+            FloatVector left = Lanes.load(t, at + Tile.TEXEL_COLUMN);
+            FloatVector top = Lanes.load(t, at + Tile.TEXEL_ROW);
             FloatVector right = left.add(1f);
             FloatVector bottom = top.add(1f);
             FloatVector lastColumn = columns.sub(1f);
