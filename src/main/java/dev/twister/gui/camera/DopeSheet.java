@@ -4,7 +4,6 @@ import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.KeyMark;
 import dev.twister.gui.model.TrackEdits;
-import dev.twister.gui.model.TrackTitles;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import dev.twister.scene.TrackTarget;
@@ -125,8 +124,8 @@ public final class DopeSheet extends ScrollPane {
                 Set<KeyMark> all = new LinkedHashSet<>();
                 TrackEdits.times(studio.scene(), target).forEach(time -> all.add(new KeyMark(target, time)));
                 select(all);
-            } else if (TrackTitles.body(target) != BodyNumber.NONE) {
-                studio.selection().select(TrackTitles.body(target));
+            } else if (BodyNumber.of(target) != BodyNumber.NONE) {
+                studio.selection().select(BodyNumber.of(target));
             }
         });
         HBox.setHgrow(lane, Priority.ALWAYS);

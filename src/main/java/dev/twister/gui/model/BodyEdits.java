@@ -229,12 +229,12 @@ public final class BodyEdits {
 
     /** The target that a track has once bodies are deleted; empty if its own is among them. */
     private static Optional<TrackTarget> numberAfter(TrackTarget target, Set<Integer> deleted) {
-        int body = TrackTitles.body(target);
+        int body = BodyNumber.of(target);
         if (body == BodyNumber.NONE || body == BodyNumber.PLANE) {
             return Optional.of(target);
         }
         int before = (int) IntStream.range(0, target.index())
-                .map(index -> TrackTitles.body(new TrackTarget(target.kind(), index)))
+                .map(index -> BodyNumber.of(new TrackTarget(target.kind(), index)))
                 .filter(deleted::contains)
                 .count();
         return Optional.of(new TrackTarget(target.kind(), target.index() - before))

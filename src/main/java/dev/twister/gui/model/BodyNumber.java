@@ -3,6 +3,7 @@ package dev.twister.gui.model;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.TrackTarget;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneMeshes;
 
@@ -83,5 +84,16 @@ public final class BodyNumber {
             part -= parts;
         }
         return NONE;
+    }
+
+    /** The body that a target is; {@link #NONE} for the camera, the sky and the like. */
+    public static int of(TrackTarget target) {
+        return switch (target.kind()) {
+            case LIGHT -> ofLight(target.index());
+            case PLANE -> PLANE;
+            case SPHERE -> ofSphere(target.index());
+            case MESH -> ofMesh(target.index());
+            case CAMERA, SKY, SHADING, RENDERING -> NONE;
+        };
     }
 }

@@ -42,15 +42,4 @@ public final class TrackTitles {
         }
         return Optional.of(TrackTarget.PLANE).filter(_ -> body == BodyNumber.PLANE);
     }
-
-    /** The body that a target is; {@link BodyNumber#NONE} for the camera, the sky and the like. */
-    public static int body(TrackTarget target) {
-        return switch (target.kind()) {
-            case LIGHT -> BodyNumber.ofLight(target.index());
-            case PLANE -> BodyNumber.PLANE;
-            case SPHERE -> BodyNumber.ofSphere(target.index());
-            case MESH -> BodyNumber.ofMesh(target.index());
-            case CAMERA, SKY, SHADING, RENDERING -> BodyNumber.NONE;
-        };
-    }
 }
