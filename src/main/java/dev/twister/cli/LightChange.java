@@ -36,7 +36,7 @@ record LightChange(String group, Rgb factor) {
             return new LightChange(
                     group,
                     new Rgb(
-                            strength * linear(color >> 2 * BYTE),
+                            strength * linear(color >> (2 * BYTE)),
                             strength * linear(color >> BYTE),
                             strength * linear(color)));
         }

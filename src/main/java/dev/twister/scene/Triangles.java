@@ -35,7 +35,7 @@ public final class Triangles implements Geometry {
         for (int i = 0; i < positions.length; i++) {
             COORDINATE.require("positions[" + i + "]", positions[i]);
         }
-        Range vertices = new Range(0, positions.length / 3 - 1.0);
+        Range vertices = new Range(0, positions.length / 3d - 1);
         for (int i = 0; i < corners.length; i++) {
             vertices.require("corners[" + i + "]", corners[i]);
         }

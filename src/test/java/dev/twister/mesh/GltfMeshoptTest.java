@@ -53,7 +53,8 @@ class GltfMeshoptTest {
         for (int turn = 0; turn < 200; turn++) {
             byte[] damaged = Arrays.copyOf(source, random.nextInt(source.length));
             if (damaged.length > 0) {
-                damaged[random.nextInt(damaged.length)] += 1 + random.nextInt(200);
+                int place = random.nextInt(damaged.length);
+                damaged[place] = (byte) (damaged[place] + 1 + random.nextInt(200));
             }
             assertMeshExceptionAtMost(() -> GltfMeshopt.decode(place(sample), damaged));
         }

@@ -161,7 +161,7 @@ public final class RandomMaterials {
         for (int value = 0; value < linear.length; value++) {
             linear[value] = (float) RandomScenes.extremeOr(random, 0, 1, random.nextDouble());
         }
-        return new PackedImage(width, height, random.ints(width * height).toArray(), linear, true);
+        return new PackedImage(width, height, random.ints((long) width * height).toArray(), linear, true);
     }
 
     private static Skybox floats(Random random, int width, int height) {

@@ -16,12 +16,10 @@ public final class PanelEdge extends Region {
     private static final double LEAST_PICTURE = 240;
 
     private final Region panel;
-    private final SettingsKeeper settings;
     private double grip;
 
     public PanelEdge(Region panel, SettingsKeeper settings) {
         this.panel = panel;
-        this.settings = settings;
         setId("panel-edge");
         getStyleClass().add("panel-edge");
         setMinWidth(WIDTH);
