@@ -304,7 +304,8 @@ class MeshesTest {
         awaitMeshes();
         Bounds picture = driver.pictureOnScreen();
         assertThat(outlineMiddle().getX()).isCloseTo(picture.getCenterX(), within(picture.getWidth() / 20));
-        assertThat(outline().getHeight()).isGreaterThan(0.4 * picture.getHeight());
+        assertThat(outline().getHeight())
+                .isGreaterThan(0.4 * Math.min(picture.getWidth(), picture.getHeight()));
         driver.run(() -> driver.studio.hand().goHome());
     }
 

@@ -10,6 +10,7 @@ import dev.twister.oracle.Crowds;
 import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Rendering;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
@@ -171,8 +172,8 @@ class SlowPicturesTest {
     @Test
     void aRowOfSecondsIsABand() {
         engine.nanosARow = TimeUnit.SECONDS.toNanos(3);
-        draw(input(70_000, 2, 1));
-        assertThat(engine.rows).containsExactly(1, 1);
+        draw(input(Rendering.MAX_SIDE, 5, 1));
+        assertThat(engine.rows).containsExactly(1, 1, 1, 1, 1);
     }
 
     @Test
