@@ -104,6 +104,8 @@ class WorldTest {
                         4,
                         0,
                         0,
+                        0,
+                        0,
                         Layout.DISC + 2 * 5);
     }
 
