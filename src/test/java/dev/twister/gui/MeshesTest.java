@@ -304,8 +304,7 @@ class MeshesTest {
         awaitMeshes();
         Bounds picture = driver.pictureOnScreen();
         assertThat(outlineMiddle().getX()).isCloseTo(picture.getCenterX(), within(picture.getWidth() / 20));
-        assertThat(outline().getHeight())
-                .isGreaterThan(0.4 * Math.min(picture.getWidth(), picture.getHeight()));
+        assertThat(outline().getHeight()).isGreaterThan(0.4 * Math.min(picture.getWidth(), picture.getHeight()));
         driver.run(() -> driver.studio.hand().goHome());
     }
 
