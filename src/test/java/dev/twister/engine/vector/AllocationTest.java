@@ -57,6 +57,7 @@ final class AllocationTest {
         assumeThat(bits)
                 .as("vector width in bits; wider vectors than the CPU's are boxed")
                 .isLessThanOrEqualTo(FloatVector.SPECIES_PREFERRED.vectorBitSize());
+        assumeIsTested(bits);
         requireWarm(bits, FusedMultiplyAdd.isFast(), scene);
     }
 
@@ -64,7 +65,14 @@ final class AllocationTest {
     @ParameterizedTest
     @ValueSource(strings = {"benchmark", "crowd of 1000"})
     void allocatesNextToNothingWithoutFusedMultiplyAdd(String scene) throws IOException, InterruptedException {
+        assumeIsTested(128);
         requireWarm(128, false, scene);
+    }
+
+    private static void assumeIsTested(int bits) {
+        assumeThat(WidthLoader.WIDTHS)
+                .as("widths; -Dtwister.widths=all tests all")
+                .contains(bits);
     }
 
     private static void requireWarm(int bits, boolean fused, String scene) throws IOException, InterruptedException {
