@@ -27,8 +27,8 @@ final class DenoisingOptions {
 
     @Option(
             names = "--light-layers",
-            description =
-                    "Add the light of each group of lights, and the guides, to an .exr file, for 'twister join --light'.")
+            description = "Add the light of each group of lights, and the guides, to an .exr file, for 'twister join"
+                    + " --light'.")
     private boolean lightLayers;
 
     boolean isOn() {

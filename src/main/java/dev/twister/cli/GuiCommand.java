@@ -5,8 +5,8 @@ import dev.twister.gui.FirstScene;
 import dev.twister.gui.Gui;
 import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.studio.OpenedScene;
-import dev.twister.mesh.MeshStage;
 import dev.twister.scene.SceneException;
+import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -63,11 +63,9 @@ final class GuiCommand implements Callable<Integer> {
 
     /** A mesh as 'twister view' shows it. */
     private FirstScene staged(Path mesh) {
-        Model model = Model.read(
-                mesh,
-                new ModelOptions().pose(),
-                SkyFiles.warnings(spec.commandLine().getErr()));
-        return FirstScene.of(new OpenedScene(MeshStage.sceneFile(mesh), model.scene()));
+        PrintWriter err = spec.commandLine().getErr();
+        return Model.read(mesh, new ModelOptions().pose(), SkyFiles.warnings(err))
+                .firstScene(mesh);
     }
 
     /** The window says what is wrong with a file that is there: nobody sees the last line of a double click. */

@@ -1,6 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.scene.Rgb;
+import dev.twister.scene.SrgbCurve;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import picocli.CommandLine.ITypeConverter;
@@ -43,8 +44,7 @@ record LightChange(String group, Rgb factor) {
 
         /** The linear value of the lowest byte, which is encoded as sRGB. */
         private static double linear(int value) {
-            double encoded = (value & LARGEST) / (double) LARGEST;
-            return encoded <= 0.04045 ? encoded / 12.92 : Math.pow((encoded + 0.055) / 1.055, 2.4);
+            return SrgbCurve.linear((value & LARGEST) / (double) LARGEST);
         }
     }
 }

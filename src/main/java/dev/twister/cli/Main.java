@@ -74,7 +74,7 @@ public final class Main {
             // Failures are told by the command line above it.
             command.getSubcommands().values().forEach(sub -> sub.setErr(new PrintWriter(Writer.nullWriter())));
         }
-        RunFigures figures = RunFigures.start();
+        RunFigures figures = new RunFigures();
         int exitCode = new RunLast().execute(parsed);
         if (CommonOptions.isGiven(CommonOptions.VERBOSE, last)) {
             figures.print(command.getErr());

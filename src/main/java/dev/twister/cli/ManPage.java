@@ -11,12 +11,6 @@ import picocli.CommandLine.Model.OptionSpec;
 
 /** The manual page of all commands, as source for {@code man}, made of what {@code --help} says. */
 final class ManPage {
-    private static final List<String> EXIT_CODES = List.of(
-            "0", "Done.",
-            "1", "An engine failed, rendered a different picture, or is slower than it was.",
-            "2", "Bad input, or output that cannot be written.",
-            "130, 143", "Stopped by Ctrl+C, or by a TERM signal.");
-
     private final List<String> lines = new ArrayList<>();
 
     private ManPage() {}
@@ -41,9 +35,10 @@ final class ManPage {
         page.lines.add(".SH COMMANDS");
         CommandTexts.commands(spec).forEach(page::command);
         page.lines.add(".SH EXIT STATUS");
-        for (int i = 0; i < EXIT_CODES.size(); i += 2) {
-            page.item("\\fB" + EXIT_CODES.get(i) + "\\fR", EXIT_CODES.get(i + 1));
-        }
+        page.item("\\fB0\\fR", "Done.");
+        page.item("\\fB1\\fR", "An engine failed, rendered a different picture, or is slower than it was.");
+        page.item("\\fB2\\fR", "Bad input, or output that cannot be written.");
+        page.item("\\fB130, 143\\fR", "Stopped by Ctrl+C, or by a TERM signal.");
         return String.join("\n", page.lines) + "\n";
     }
 

@@ -1,5 +1,7 @@
 package dev.twister.cli;
 
+import dev.twister.gui.FirstScene;
+import dev.twister.gui.studio.OpenedScene;
 import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPose;
 import dev.twister.mesh.MeshReader;
@@ -45,6 +47,11 @@ record Model(Scene scene, MeshFile content) {
         MeshFile content = MeshReader.read(mesh, MeshStage.SMOOTH_DEGREES, warnings);
         Path sky = Home.skyboxes().resolve(ShippedSky.DAY.fileName());
         return new Model(MeshStage.of(mesh, content, sky.toAbsolutePath().normalize(), pose), content);
+    }
+
+    /** What a window opens with. */
+    FirstScene firstScene(Path file) {
+        return FirstScene.of(new OpenedScene(MeshStage.sceneFile(file), scene));
     }
 
     /** The same with smooth edges. */

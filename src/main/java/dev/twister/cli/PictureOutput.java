@@ -70,9 +70,6 @@ final class PictureOutput {
      * @throws BadInputException if a picture would replace one of them
      */
     static void checkKeeps(RenderOutput output, List<Path> inputs) throws IOException {
-        if (output.isStandardOutput()) {
-            return;
-        }
         for (int number :
                 output.isFilm() ? new int[1] : output.range().numbers().toArray()) {
             Path file = output.file(number);
@@ -87,10 +84,7 @@ final class PictureOutput {
 
     /** The files for display. */
     static String name(RenderOutput output) {
-        if (output.isStandardOutput()) {
-            return "standard output";
-        }
-        String first = PrintableText.line(output.firstFile().toString());
+        String first = OutputFile.name(output.firstFile());
         return output.isNumbered()
                 ? first + " to " + PrintableText.line(output.lastFile().toString())
                 : first;

@@ -75,9 +75,8 @@ final class RenderCommand implements Callable<Integer> {
             completionCandidates = Completions.OfScene.class,
             description =
                     "A scene file, the name of a shipped scene, - for a scene from standard input, or a mesh file:"
-                            + " OBJ, glTF, GLB, PLY or STL. Also"
-                            + " a folder of mesh files, or a pattern such as 'models/*.glb'; then FILE is the folder of their"
-                            + " pictures.")
+                            + " OBJ, glTF, GLB, PLY or STL. Also a folder of mesh files, or a pattern such as"
+                            + " 'models/*.glb'; then FILE is the folder of their pictures.")
     private String sceneName;
 
     @Option(

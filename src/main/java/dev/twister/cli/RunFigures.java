@@ -7,18 +7,12 @@ import java.lang.management.MemoryType;
 import java.time.Duration;
 import java.util.Locale;
 
-/** What {@code --verbose} prints after a command: version, time and memory. */
+/** What {@code --verbose} prints after a command that begins now: version, time and memory. */
 final class RunFigures {
     private static final double MILLIS_PER_SECOND = 1000;
     private static final double BYTES_PER_MEBIBYTE = 1 << 20;
 
     private final long start = System.nanoTime();
-
-    private RunFigures() {}
-
-    static RunFigures start() {
-        return new RunFigures();
-    }
 
     void print(PrintWriter err) {
         ProcessHandle.Info process = ProcessHandle.current().info();

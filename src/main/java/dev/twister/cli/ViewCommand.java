@@ -1,11 +1,8 @@
 package dev.twister.cli;
 
 import dev.twister.engine.Engines;
-import dev.twister.gui.FirstScene;
 import dev.twister.gui.Gui;
 import dev.twister.gui.files.ShippedFolders;
-import dev.twister.gui.studio.OpenedScene;
-import dev.twister.mesh.MeshStage;
 import dev.twister.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -70,10 +67,7 @@ final class ViewCommand implements Callable<Integer> {
         } else {
             engineId.filter(id -> !Engines.isDevice(id))
                     .ifPresent(id -> Engines.offer(id).check());
-            Gui.run(
-                    FirstScene.of(new OpenedScene(MeshStage.sceneFile(file), scene)),
-                    engineId,
-                    new ShippedFolders(Home.scenes(), Home.skyboxes()));
+            Gui.run(read.firstScene(file), engineId, new ShippedFolders(Home.scenes(), Home.skyboxes()));
         }
         return ExitCode.OK;
     }

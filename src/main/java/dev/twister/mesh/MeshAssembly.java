@@ -29,6 +29,11 @@ final class MeshAssembly {
             if (meshByMaterial.isEmpty()) {
                 throw noTriangles(bytes, degenerateTriangles);
             }
+            return file(name, material);
+        }
+
+        /** As above, of at least one triangle with an area. */
+        MeshFile file(String name, Material material) {
             return new MeshFile(
                     List.copyOf(meshByMaterial.values()),
                     List.of(new MeshPart(name, 0, placement(), material)),

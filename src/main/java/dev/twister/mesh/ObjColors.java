@@ -1,5 +1,6 @@
 package dev.twister.mesh;
 
+import dev.twister.scene.SrgbCurve;
 import java.io.IOException;
 
 /** Colors behind the coordinates of vertices in OBJ files: three numbers from 0 to 1, or to 255. */
@@ -44,6 +45,6 @@ final class ObjColors {
     }
 
     private double linear(int at) {
-        return ColorCurve.linear(colors.get(at) / largest);
+        return SrgbCurve.linear(colors.get(at) / largest);
     }
 }

@@ -1,6 +1,7 @@
 package dev.twister.mesh;
 
 import dev.twister.mesh.PlyHeader.Element;
+import dev.twister.scene.SrgbCurve;
 import java.util.Optional;
 
 /**
@@ -32,6 +33,6 @@ record PlyColor(int red, int green, int blue, double largest) {
     }
 
     private double linear(double value) {
-        return ColorCurve.linear(value / largest);
+        return SrgbCurve.linear(value / largest);
     }
 }

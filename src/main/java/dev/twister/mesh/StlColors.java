@@ -1,5 +1,6 @@
 package dev.twister.mesh;
 
+import dev.twister.scene.SrgbCurve;
 import java.io.IOException;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -35,9 +36,9 @@ final class StlColors {
             int bits = bits(bytes, triangle);
             if ((bits & FLAG) != 0) {
                 soup.color(
-                        ColorCurve.linear(header.charAt(at) / 255.0),
-                        ColorCurve.linear(header.charAt(at + 1) / 255.0),
-                        ColorCurve.linear(header.charAt(at + 2) / 255.0),
+                        SrgbCurve.linear(header.charAt(at) / 255.0),
+                        SrgbCurve.linear(header.charAt(at + 1) / 255.0),
+                        SrgbCurve.linear(header.charAt(at + 2) / 255.0),
                         1);
             } else {
                 soup.color(linear(bits), linear(bits >> 5), linear(bits >> 10), 1);
@@ -74,6 +75,6 @@ final class StlColors {
     }
 
     private static double linear(int bits) {
-        return ColorCurve.linear((bits & 31) / 31.0);
+        return SrgbCurve.linear((bits & 31) / 31.0);
     }
 }

@@ -4,8 +4,6 @@ import dev.twister.mesh.MeshAssembly.Assembled;
 import dev.twister.scene.Material;
 import dev.twister.scene.Triangles;
 import dev.twister.scene.Vector3;
-import java.util.List;
-import java.util.Map;
 
 /** Makes a mesh of triangles that come from code. */
 final class TrianglesOfCode {
@@ -20,11 +18,7 @@ final class TrianglesOfCode {
         if (assembled.meshByMaterial().isEmpty()) {
             throw new MeshException(triangles.name() + ": holds no triangle with an area");
         }
-        return new MeshFile(
-                List.copyOf(assembled.meshByMaterial().values()),
-                List.of(new MeshPart(triangles.name(), 0, assembled.placement(), Material.DEFAULT)),
-                Map.of(),
-                assembled.degenerateTriangles());
+        return assembled.file(triangles.name(), Material.DEFAULT);
     }
 
     /** As a file has them, with z toward the viewer: the mirrored winding is a file's. */

@@ -3,7 +3,9 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.RecursiveAction;
 import java.util.function.IntFunction;
 
@@ -138,9 +140,10 @@ final class BoxTree extends RecursiveAction {
         for (int box = start; box < end; box++) {
             lowest.merge(input.content().apply(order[box]), order[box], Math::min);
         }
+        Set<Integer> first = new HashSet<>(lowest.values());
         int kept = start;
         for (int box = start; box < end; box++) {
-            if (lowest.get(input.content().apply(order[box])) == order[box]) {
+            if (first.contains(order[box])) {
                 swap(box, kept);
                 kept++;
             }

@@ -12,8 +12,6 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
-import java.util.ArrayList;
-import java.util.List;
 
 /** The mutable state between frames, initialized from a scene. For use by one thread; engines get snapshots. */
 public final class World {
@@ -200,9 +198,7 @@ public final class World {
                     + scene.meshes().get(index).geometry().name() + ", but the new one is "
                     + mesh.geometry().name());
         }
-        List<Mesh> edited = new ArrayList<>(scene.meshes());
-        edited.set(index, mesh);
-        show(scene.withMeshes(edited));
+        show(scene.withBodies(scene.bodies().withMesh(index, mesh)));
     }
 
     public Camera camera() {

@@ -2,6 +2,7 @@ package dev.twister.mesh;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.scene.SrgbCurve;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -21,7 +22,7 @@ class MeshColorsTest {
             """;
 
     /** Linear value of half of what sRGB stores in 8 bits. */
-    private static final float HALF = (float) ColorCurve.linear(128 / 255.0);
+    private static final float HALF = (float) SrgbCurve.linear(128 / 255.0);
 
     @TempDir
     Path folder;

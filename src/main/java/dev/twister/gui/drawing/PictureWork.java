@@ -415,7 +415,7 @@ final class PictureWork implements AutoCloseable {
         return wanted.refinement().denoiser().filter(_ -> input.tracesPaths() && wanted.shown() == Picture.REFLECTIONS);
     }
 
-    /** Whether the picture has all samples, or so many that its noise is low. */
+    /** Whether the picture has all its samples, or its noise is below the goal. */
     private boolean isDone(RefinedPicture picture, DrawingRequest wanted) {
         double goal = wanted.refinement().noise();
         return picture.isDone()

@@ -53,34 +53,22 @@ public final class SystemFileChoice implements FileChoice {
 
     @Override
     public Optional<Path> panorama(Path folder) {
-        FileChooser chooser = chooser("Choose a sky", folder);
-        chooser.getExtensionFilters()
-                .addAll(new ExtensionFilter("Panoramas", PANORAMAS), new ExtensionFilter("All files", "*"));
-        return path(chooser.showOpenDialog(owner));
+        return toRead("Choose a sky", folder, new ExtensionFilter("Panoramas", PANORAMAS));
     }
 
     @Override
     public Optional<Path> picture(Path folder) {
-        FileChooser chooser = chooser("View a picture", folder);
-        chooser.getExtensionFilters()
-                .addAll(new ExtensionFilter("Pictures", PICTURES), new ExtensionFilter("All files", "*"));
-        return path(chooser.showOpenDialog(owner));
+        return toRead("View a picture", folder, new ExtensionFilter("Pictures", PICTURES));
     }
 
     @Override
     public Optional<Path> mesh(Path folder) {
-        FileChooser chooser = chooser("Insert a mesh", folder);
-        chooser.getExtensionFilters()
-                .addAll(new ExtensionFilter("Meshes", MESHES), new ExtensionFilter("All files", "*"));
-        return path(chooser.showOpenDialog(owner));
+        return toRead("Insert a mesh", folder, new ExtensionFilter("Meshes", MESHES));
     }
 
     @Override
     public Optional<Path> texture(Path folder) {
-        FileChooser chooser = chooser("Choose a texture", folder);
-        chooser.getExtensionFilters()
-                .addAll(new ExtensionFilter("Textures", TEXTURES), new ExtensionFilter("All files", "*"));
-        return path(chooser.showOpenDialog(owner));
+        return toRead("Choose a texture", folder, new ExtensionFilter("Textures", TEXTURES));
     }
 
     @Override
@@ -112,6 +100,12 @@ public final class SystemFileChoice implements FileChoice {
         chooser.setTitle("Record into a folder");
         existing(suggested).ifPresent(chooser::setInitialDirectory);
         return path(chooser.showDialog(owner));
+    }
+
+    private Optional<Path> toRead(String title, Path folder, ExtensionFilter kind) {
+        FileChooser chooser = chooser(title, folder);
+        chooser.getExtensionFilters().addAll(kind, new ExtensionFilter("All files", "*"));
+        return path(chooser.showOpenDialog(owner));
     }
 
     private static List<String> all() {

@@ -25,18 +25,16 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
 
     /** How bodies are changed. */
     public enum Mode {
-        MOVE("Move", "m", 0),
-        ROTATE("Rotate", "°", 0),
-        SCALE("Scale", "times", 1);
+        MOVE("Move", "m"),
+        ROTATE("Rotate", "°"),
+        SCALE("Scale", "times");
 
         private final String label;
         private final String unit;
-        private final double none;
 
-        Mode(String label, String unit, double none) {
+        Mode(String label, String unit) {
             this.label = label;
             this.unit = unit;
-            this.none = none;
         }
 
         public String label() {
@@ -45,11 +43,6 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
 
         public String unit() {
             return unit;
-        }
-
-        /** The number that changes nothing. */
-        public double none() {
-            return none;
         }
     }
 

@@ -23,7 +23,7 @@ import java.util.function.ToDoubleFunction;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 
-/** Edits of the keyframes of a scene. Their times are whole hundredths of a second. */
+/** Edits of the keyframes of a scene. Their times are multiples of 0.01 s. */
 public final class TrackEdits {
     private static final double HALF_A_HUNDREDTH = 0.005;
 
@@ -90,8 +90,7 @@ public final class TrackEdits {
 
     /** The scene with the keyframes of those marks later by some seconds, but none before the film's beginning. */
     public static Scene moved(Scene scene, Set<KeyMark> marks, double seconds) {
-        double earliest = marks.stream().mapToDouble(KeyMark::seconds).min().orElse(0);
-        double shift = Math.max(seconds, -earliest);
+        double shift = Math.max(seconds, -earliest(marks));
         return changed(
                 scene,
                 marks,
@@ -105,17 +104,15 @@ public final class TrackEdits {
 
     /** The marks after {@link #moved}. */
     public static Set<KeyMark> movedMarks(Set<KeyMark> marks, double seconds) {
-        double earliest = marks.stream().mapToDouble(KeyMark::seconds).min().orElse(0);
+        double shift = Math.max(seconds, -earliest(marks));
         Set<KeyMark> moved = new LinkedHashSet<>();
-        marks.forEach(mark -> moved.add(
-                new KeyMark(mark.target(), KeyframeEdits.time(mark.seconds() + Math.max(seconds, -earliest)))));
+        marks.forEach(mark -> moved.add(new KeyMark(mark.target(), KeyframeEdits.time(mark.seconds() + shift))));
         return moved;
     }
 
     /** The scene with copies of the keyframes of those marks, the first of them at a time. */
     public static Scene copied(Scene scene, Set<KeyMark> marks, double seconds) {
-        double earliest = marks.stream().mapToDouble(KeyMark::seconds).min().orElse(0);
-        double shift = KeyframeEdits.time(seconds) - earliest;
+        double shift = KeyframeEdits.time(seconds) - earliest(marks);
         return changed(
                 scene,
                 marks,
@@ -157,6 +154,10 @@ public final class TrackEdits {
         return tracks.stream()
                 .flatMap(track -> numbers.apply(track.target()).map(track::withTarget).stream())
                 .toList();
+    }
+
+    private static double earliest(Set<KeyMark> marks) {
+        return marks.stream().mapToDouble(KeyMark::seconds).min().orElse(0);
     }
 
     private static Scene changed(

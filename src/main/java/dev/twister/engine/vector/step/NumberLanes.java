@@ -13,7 +13,7 @@ import jdk.incubator.vector.VectorOperators;
 
 /**
  * The random numbers of a sample for rough surfaces and for the lens: {@link Noise#number}. Each method hashes once:
- * with more, C2 makes objects of vectors.
+ * with more, C2 boxes the vectors.
  */
 final class NumberLanes {
     private NumberLanes() {}
