@@ -47,7 +47,7 @@ public final class SceneBuilder {
 
     /** The only light. */
     public SceneBuilder light(Light light) {
-        return lights(List.of(light));
+        return lights(List.of(requireNonNull(light, "light")));
     }
 
     /**
@@ -56,7 +56,7 @@ public final class SceneBuilder {
      * @throws IllegalArgumentException unless there are 1 to {@value SceneLimits#MAX_LIGHTS}
      */
     public SceneBuilder lights(List<Light> lights) {
-        scene = scene.withLights(new Lights(lights));
+        scene = scene.withLights(new Lights(requireNonNull(lights, "lights")));
         return this;
     }
 
@@ -81,7 +81,7 @@ public final class SceneBuilder {
 
     /** Adds a track, which changes a property in a film: see {@link dev.twister.world.Animation}. */
     public SceneBuilder track(Track track) {
-        tracks.add(track);
+        tracks.add(requireNonNull(track, "track"));
         return this;
     }
 

@@ -16,7 +16,7 @@ import java.util.Map;
  */
 public record DeviceCheckPlan(
         PictureSize pictureSize, PictureSize timedSize, int warmupFrames, int frames, double maxSeconds) {
-    /** About a minute per engine on a small machine. */
+    /** Some minutes per engine on a small machine, most of them for path-traced scenes. */
     public static final DeviceCheckPlan USUAL =
             new DeviceCheckPlan(new PictureSize(640, 360), PictureSize.HD, 20, 10, 5);
 

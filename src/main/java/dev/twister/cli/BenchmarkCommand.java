@@ -29,6 +29,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -36,6 +37,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
 /** {@code twister benchmark}: engines by sizes, and whether they draw the same picture. */
@@ -54,7 +56,7 @@ import picocli.CommandLine.Spec;
             "  twister benchmark --quick --engine vector --engine parallel --jit c2,graal",
             "  twister benchmark --compare before.json after.json --within 3",
             "",
-            "Exit code 1: an engine failed, or its picture differs."
+            "Exit code 1: an engine failed, its picture differs, or with --compare it became slower."
         })
 final class BenchmarkCommand implements Callable<Integer> {
     private static final int SHADOW_SAMPLES = 200;
@@ -69,6 +71,8 @@ final class BenchmarkCommand implements Callable<Integer> {
     private static final int PATHS_PER_PIXEL = 1;
 
     private static final String PAPER_FOLDER = "twister-paper";
+    private static final Set<String> COMPARING =
+            Set.of("--compare", "--within", CommonOptions.QUIET, CommonOptions.VERBOSE);
     private static final double SLOWER_PERCENT = 5;
     private static final double MAX_PERCENT = 1000;
     private static final String MAIN_CLASS = BenchmarkCommand.class.getPackageName() + ".Main";
@@ -206,6 +210,12 @@ final class BenchmarkCommand implements Callable<Integer> {
     }
 
     private int compareReports() throws IOException {
+        ParseResult given = spec.commandLine().getParseResult();
+        boolean measures = !given.matchedPositionals().isEmpty()
+                || given.matchedOptions().stream().anyMatch(option -> !COMPARING.contains(option.longestName()));
+        if (measures) {
+            throw new BadInputException("--compare measures nothing: it goes with --within alone");
+        }
         double percent = Ranges.check("--within", within.orElse(SLOWER_PERCENT), 0, MAX_PERCENT);
         ReportComparison comparison = ReportComparison.of(compared.getFirst(), compared.getLast(), percent);
         spec.commandLine().getOut().println(comparison.table());

@@ -48,7 +48,7 @@ final class DenoiseCommand implements Callable<Integer> {
             required = true,
             paramLabel = "FILE",
             description = "The picture: .exr keeps all layers, with the noisy picture as layer 'noisy'; .hdr and .png"
-                    + " keep the colors.")
+                    + " keep the colors; - writes a PNG to standard output.")
     private Path output;
 
     @Mixin

@@ -49,7 +49,7 @@ final class DevicesCommand implements Callable<Integer> {
     @Option(
             names = "--check",
             description = "Compare each engine's pictures of all shipped scenes with sequential's, measure it, and"
-                    + " print a table in Markdown to paste into a report. Takes a minute or two per engine"
+                    + " print a table in Markdown to paste into a report. Takes some minutes per engine"
                     + " on a small machine.")
     private boolean check;
 

@@ -57,7 +57,8 @@ final class Failures {
     /** What a command threw; whatever is not foreseen is a bug of Twister's and shows where it happened. */
     static int explain(Exception failure, CommandLine command, ParseResult parsed) {
         PrintWriter err = root(command).getErr();
-        if (CommonOptions.isGiven(CommonOptions.VERBOSE, command)) {
+        boolean verbose = CommonOptions.isGiven(CommonOptions.VERBOSE, command);
+        if (verbose) {
             failure.printStackTrace(err);
         }
         return switch (failure) {
@@ -77,7 +78,9 @@ final class Failures {
             }
             default -> {
                 err.println("twister: this is a bug of Twister's:");
-                failure.printStackTrace(err);
+                if (!verbose) {
+                    failure.printStackTrace(err);
+                }
                 yield ExitCode.FAILED;
             }
         };

@@ -90,7 +90,7 @@ final class SceneCommand implements Callable<Integer> {
         Path file = SceneFiles.find(name);
         Scene scene = SceneFiles.read(file);
         SceneMeshes meshes = SkyFiles.world(scene, spec.commandLine().getErr()).meshes();
-        return file + ": valid, " + spheres(scene)
+        return SceneFiles.name(file) + ": valid, " + spheres(scene)
                 + also(scene.materials().size(), "material")
                 + also(TexturePlaces.of(scene).size(), "texture")
                 + meshes(scene, meshes);

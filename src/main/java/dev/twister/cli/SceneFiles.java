@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 /** Finds the scene that an argument means: a file, or a shipped scene by its name. */
 final class SceneFiles {
     static final String ENDING = ".json";
+
     /** A scene that is read from standard input. */
     static final Path STANDARD_INPUT = Path.of("-");
 
@@ -29,8 +30,13 @@ final class SceneFiles {
      */
     static Scene read(Path file) {
         return file.equals(STANDARD_INPUT)
-                ? SceneReader.read(System.in, "standard input", Path.of(""))
+                ? SceneReader.read(System.in, name(file), Path.of(""))
                 : SceneReader.read(file);
+    }
+
+    /** The file's name for people. */
+    static String name(Path file) {
+        return file.equals(STANDARD_INPUT) ? "standard input" : file.toString();
     }
 
     /** A file that is there wins over a shipped scene; a path that is neither is left to the reader to complain of. */

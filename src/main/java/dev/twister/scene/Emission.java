@@ -15,6 +15,7 @@ public record Emission(Rgb color, double strength, boolean doubleSided, String g
 
     public Emission {
         requireNonNull(color, "color");
+        requireNonNull(group, "group");
     }
 
     /** The emitted radiance. */

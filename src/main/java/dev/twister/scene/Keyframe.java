@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 
 /**
@@ -14,6 +16,7 @@ public record Keyframe(double seconds, List<Double> value, Easing easing) {
     public static final Keyframe DEFAULT = new Keyframe(0, List.of(0.0), Easing.SMOOTH);
 
     public Keyframe {
+        requireNonNull(easing, "easing");
         value = List.copyOf(value);
     }
 

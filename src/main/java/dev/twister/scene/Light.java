@@ -24,6 +24,7 @@ public record Light(Vector3 position, double radius, Rgb color, Optional<Double>
         requireNonNull(position, "position");
         requireNonNull(color, "color");
         requireNonNull(strength, "strength");
+        requireNonNull(group, "group");
     }
 
     /** A light whose other properties are the defaults. */

@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 
 /**
@@ -15,6 +17,8 @@ public record Track(TrackTarget target, String property, List<Keyframe> keyframe
     public static final Track DEFAULT = new Track(TrackTarget.CAMERA, "", List.of(), false);
 
     public Track {
+        requireNonNull(target, "target");
+        requireNonNull(property, "property");
         keyframes = List.copyOf(keyframes);
     }
 

@@ -40,6 +40,8 @@ class BadInputTest {
                 "simulate pour-1000 --frames 2 -o - | --output is -, but this is not written to standard output",
                 "benchmark --json - --csv - | --json and --csv are both -",
                 "benchmark --jit c2 - | --jit reads the scene several times",
+                "benchmark --compare FOLDER/a.json FOLDER/b.json --engine vector | --compare measures nothing",
+                "benchmark --compare FOLDER/a.json FOLDER/b.json teaching | --compare measures nothing",
                 "benchmark --within 3 | --within requires --compare",
                 "benchmark --compare FOLDER/a.json FOLDER/b.json | a.json: file not found",
                 "benchmark --compare FOLDER/a.json FOLDER/b.json --within -1 | --within is -1.0, but must be from 0 to 1000",

@@ -1,5 +1,6 @@
 package dev.twister.gui.picture;
 
+import dev.twister.gui.controls.Problems;
 import dev.twister.gui.model.ViewedPicture;
 import dev.twister.gui.studio.Errands;
 import dev.twister.scene.Rendering;
@@ -95,7 +96,7 @@ final class ViewerPane extends BorderPane {
             toning = true;
             double stops = exposure.getValue();
             List<Double> factors = strengths.stream().map(Slider::getValue).toList();
-            errands.run(() -> toned(stops, factors), this::show, problem -> values.setText(problem.toString()));
+            errands.run(() -> toned(stops, factors), this::show, this::complain);
         }
     }
 
@@ -113,6 +114,11 @@ final class ViewerPane extends BorderPane {
         if (toneAgain) {
             tone();
         }
+    }
+
+    private void complain(Throwable problem) {
+        toning = false;
+        values.setText(Problems.explain(problem));
     }
 
     private void zoomTo(double wanted) {
