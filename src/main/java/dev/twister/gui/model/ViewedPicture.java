@@ -5,6 +5,7 @@ import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
 import dev.twister.render.PictureFormat;
 import dev.twister.render.PictureLayers;
+import dev.twister.scene.Rgb;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
 import java.io.IOException;
@@ -22,6 +23,7 @@ import java.util.Optional;
 @SuppressWarnings("ArrayRecordComponent") // never compared
 public record ViewedPicture(int width, int height, float[] radiance, List<Light> lights) {
     private static final int CHANNELS = 3;
+    private static final Rgb UNCHANGED = new Rgb(1, 1, 1);
 
     /**
      * The light of a group of lights.
@@ -58,20 +60,21 @@ public record ViewedPicture(int width, int height, float[] radiance, List<Light>
     }
 
     /**
-     * The radiance with other strengths of the lights; the file's own if all are 1.
+     * The radiance with other strengths and colors of the lights; the file's own if all are unchanged.
      *
-     * @param strengths of each of the lights, 1 for the file's
+     * @param factors of each of the lights, per channel
      */
-    public float[] lit(List<Double> strengths) {
-        if (strengths.stream().allMatch(strength -> strength == 1)) {
+    public float[] lit(List<Rgb> factors) {
+        if (factors.stream().allMatch(UNCHANGED::equals)) {
             return radiance;
         }
         float[] sum = new float[radiance.length];
         for (int index = 0; index < lights.size(); index++) {
-            float strength = strengths.get(index).floatValue();
+            Rgb factor = factors.get(index);
+            float[] channels = {(float) factor.red(), (float) factor.green(), (float) factor.blue()};
             float[] light = lights.get(index).radiance();
             for (int i = 0; i < sum.length; i++) {
-                sum[i] += strength * light[i];
+                sum[i] += channels[i % CHANNELS] * light[i];
             }
         }
         return sum;

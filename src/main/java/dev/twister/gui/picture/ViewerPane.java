@@ -1,14 +1,17 @@
 package dev.twister.gui.picture;
 
 import dev.twister.gui.controls.Problems;
+import dev.twister.gui.model.ScreenColor;
 import dev.twister.gui.model.ViewedPicture;
 import dev.twister.gui.studio.Errands;
 import dev.twister.scene.Rendering;
+import dev.twister.scene.Rgb;
 import dev.twister.world.TonedPixels;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import javafx.scene.control.ColorPicker;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.Slider;
@@ -21,8 +24,11 @@ import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
+import javafx.scene.paint.Color;
 
-/** A picture that can be magnified, with its exposure, the strengths of its lights, and its pixels' values. */
+/**
+ * A picture that can be magnified, with its exposure, the strengths and colors of its lights, and its pixels' values.
+ */
 final class ViewerPane extends BorderPane {
     private static final double STEP = 1.25;
     private static final double MOST_ZOOM = 64;
@@ -35,11 +41,21 @@ final class ViewerPane extends BorderPane {
     private final ImageView view = new ImageView();
     private final Label values = new Label();
     private final Slider exposure = new Slider(-STOPS, STOPS, 0);
-    private final List<Slider> strengths = new ArrayList<>();
+    private final List<LightControls> lights = new ArrayList<>();
     private float[] shown;
     private double zoom = 1;
     private boolean toning;
     private boolean toneAgain;
+
+    /** What changes a light. */
+    private record LightControls(Slider strength, ColorPicker color) {
+        Rgb factor() {
+            Color picked = color.getValue();
+            Rgb linear = ScreenColor.linear(new Rgb(picked.getRed(), picked.getGreen(), picked.getBlue()), true);
+            double times = strength.getValue();
+            return new Rgb(times * linear.red(), times * linear.green(), times * linear.blue());
+        }
+    }
 
     /** What is computed in the background. */
     @SuppressWarnings("ArrayRecordComponent") // never compared
@@ -63,9 +79,14 @@ final class ViewerPane extends BorderPane {
         VBox controls = new VBox(row("Exposure", "stops", exposure));
         controls.getStyleClass().add("sections");
         for (ViewedPicture.Light light : picture.lights()) {
-            Slider strength = new Slider(0, MOST_STRENGTH, 1);
-            strengths.add(strength);
-            controls.getChildren().add(row("Light: " + light.group(), "×", strength));
+            LightControls change = new LightControls(new Slider(0, MOST_STRENGTH, 1), new ColorPicker(Color.WHITE));
+            change.color().setId("light-" + light.group());
+            change.color().setAccessibleText("Color of light " + light.group());
+            change.color().valueProperty().subscribe((_, _) -> tone());
+            lights.add(change);
+            HBox row = row("Light: " + light.group(), "×", change.strength());
+            row.getChildren().add(change.color());
+            controls.getChildren().add(row);
         }
         HBox status = new HBox(values);
         status.getStyleClass().add("status");
@@ -95,12 +116,12 @@ final class ViewerPane extends BorderPane {
         if (!toning) {
             toning = true;
             double stops = exposure.getValue();
-            List<Double> factors = strengths.stream().map(Slider::getValue).toList();
+            List<Rgb> factors = lights.stream().map(LightControls::factor).toList();
             errands.run(() -> toned(stops, factors), this::show, this::complain);
         }
     }
 
-    private Toned toned(double stops, List<Double> factors) {
+    private Toned toned(double stops, List<Rgb> factors) {
         float[] radiance = picture.lit(factors);
         Rendering settings = Rendering.DEFAULT.withTone(stops, Rendering.DEFAULT.toneMap(), true);
         return new Toned(radiance, TonedPixels.of(radiance, settings));

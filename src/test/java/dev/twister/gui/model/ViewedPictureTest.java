@@ -8,6 +8,7 @@ import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrWriter;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.Provenance;
+import dev.twister.scene.Rgb;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -23,12 +24,16 @@ class ViewedPictureTest {
     private Path folder;
 
     @Test
-    void itsLightsAreMultipliedByTheirStrengths() throws IOException {
+    void itsLightsAreMultipliedByTheirFactors() throws IOException {
         ViewedPicture picture = ViewedPicture.read(exr(0, Map.of("", 5f, "light-lamp.", 2f, "light-sky.", 3f)));
 
         assertThat(picture.lights()).extracting(ViewedPicture.Light::group).containsExactly("lamp", "sky");
-        assertThat(picture.lit(List.of(1.0, 1.0))).containsOnly(5);
-        assertThat(picture.lit(List.of(0.5, 2.0))).containsOnly(7);
+        Rgb white = new Rgb(1, 1, 1);
+        assertThat(picture.lit(List.of(white, white))).containsOnly(5);
+        assertThat(picture.lit(List.of(new Rgb(0.5, 0.5, 0.5), new Rgb(2, 2, 2))))
+                .containsOnly(7);
+        float[] red = picture.lit(List.of(new Rgb(1, 0, 0), new Rgb(0, 0, 0)));
+        assertThat(Arrays.copyOf(red, 6)).containsExactly(2, 0, 0, 2, 0, 0);
     }
 
     @Test
