@@ -82,8 +82,8 @@ public final class MeshStage {
                 .withTitle(Title.NONE.withName(file.getFileName().toString()))
                 .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
                 .withLights(Lights.of(LIGHT))
-                .withRendering(Rendering.DEFAULT.withShadows(SHADOW_SAMPLES))
+                .withRendering(Rendering.DEFAULT.withShadowSamples(SHADOW_SAMPLES))
                 .withGround(Ground.of(PLANE_SIZE, PLANE_HEIGHT, BRIGHT, DARK, 0))
-                .withMeshes(List.of(turned.withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES)));
+                .withMeshes(List.of(turned.withScale(scale).withPosition(place).withSmoothDegrees(SMOOTH_DEGREES)));
     }
 }
