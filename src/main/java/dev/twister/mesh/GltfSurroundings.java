@@ -28,8 +28,8 @@ final class GltfSurroundings {
         this.warnings = warnings;
     }
 
-    Surroundings all() {
-        return new Surroundings(lights, List.copyOf(cameras.values()));
+    FileSurroundings all() {
+        return new FileSurroundings(lights, List.copyOf(cameras.values()));
     }
 
     /**

@@ -20,7 +20,7 @@ public record MeshFile(
         List<MeshPart> parts,
         Map<Path, byte[]> embeddedImages,
         int degenerateTriangles,
-        Surroundings surroundings) {
+        FileSurroundings surroundings) {
     public MeshFile {
         meshes = List.copyOf(meshes);
         parts = List.copyOf(parts);
@@ -33,7 +33,7 @@ public record MeshFile(
             List<MeshPart> parts,
             Map<Path, byte[]> embeddedImages,
             int degenerateTriangles) {
-        this(meshes, parts, embeddedImages, degenerateTriangles, Surroundings.NONE);
+        this(meshes, parts, embeddedImages, degenerateTriangles, FileSurroundings.NONE);
     }
 
     /** The box around all parts. */

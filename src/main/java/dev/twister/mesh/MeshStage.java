@@ -81,7 +81,7 @@ public final class MeshStage {
                 scale * half.y() + distance * Math.sin(pitch),
                 -distance * Math.cos(yaw) * Math.cos(pitch));
         Mesh mesh = turned.withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES);
-        Surroundings around = held.surroundings().placed(MeshPlacement.of(mesh));
+        FileSurroundings around = held.surroundings().placed(MeshPlacement.of(mesh));
         StageLights lights = new StageLights(new Vector3(0, scale * half.y(), 0), LARGEST_SIDE / 2);
         return Scene.under(skybox)
                 .withTitle(Title.NONE.withName(file.getFileName().toString()))

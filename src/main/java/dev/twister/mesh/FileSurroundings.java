@@ -7,17 +7,17 @@ import java.util.List;
  *
  * @param cameras each has a name of its own
  */
-public record Surroundings(List<FileLight> lights, List<FileCamera> cameras) {
-    public static final Surroundings NONE = new Surroundings(List.of(), List.of());
+public record FileSurroundings(List<FileLight> lights, List<FileCamera> cameras) {
+    public static final FileSurroundings NONE = new FileSurroundings(List.of(), List.of());
 
-    public Surroundings {
+    public FileSurroundings {
         lights = List.copyOf(lights);
         cameras = List.copyOf(cameras);
     }
 
     /** The same in other coordinates. */
-    Surroundings placed(Affine placement) {
-        return new Surroundings(
+    FileSurroundings placed(Affine placement) {
+        return new FileSurroundings(
                 lights.stream().map(light -> light.placed(placement)).toList(),
                 cameras.stream().map(camera -> camera.placed(placement)).toList());
     }
