@@ -52,7 +52,7 @@ public record Mesh(
     /** The file that it is read from; empty where there is none. */
     public Optional<Path> file() {
         return switch (geometry) {
-            case Geometry.OfFile(Path path) -> Optional.of(path);
+            case Geometry.OfFile(Path path, String _) -> Optional.of(path);
             case Shape _, Triangles _ -> Optional.empty();
         };
     }

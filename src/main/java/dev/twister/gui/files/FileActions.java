@@ -13,6 +13,7 @@ import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import dev.twister.mesh.MeshPose;
 import dev.twister.mesh.MeshStage;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
@@ -112,7 +113,8 @@ public final class FileActions {
         assets.readMesh(mesh, unlessEdited(held -> {
             studio.assets().keepMesh(mesh, held);
             studio.show(new OpenedScene(
-                    MeshStage.sceneFile(absolute), MeshStage.of(absolute, held, sky, MeshPose.OF_FILE)));
+                    MeshStage.sceneFile(absolute),
+                    MeshStage.of(new Geometry.OfFile(absolute), held, sky, MeshPose.OF_FILE)));
             settings.remember(file);
         }));
     }

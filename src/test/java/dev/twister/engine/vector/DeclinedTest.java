@@ -158,9 +158,9 @@ final class DeclinedTest {
         }
     }
 
-    /** Textured and glass meshes, glass spheres and the lens. */
+    /** Textured, glass and metallic meshes, glass and metallic spheres and the lens. */
     @ParameterizedTest
-    @ValueSource(strings = {"bokeh", "gallery", "glass"})
+    @ValueSource(strings = {"bokeh", "gallery", "glass", "knot", "metals"})
     void shippedSceneIsDrawnWithoutTheKernel(String name) {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
         SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});

@@ -31,8 +31,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Glass, rough surfaces, textures and the lens in lanes equal the scalar kernel's, in random scenes and also with
- * cameras inside glass.
+ * Glass, metals, rough surfaces, textures and the lens in lanes equal the scalar kernel's, in random scenes and also
+ * with cameras inside glass.
  */
 final class MaterialsInLanesTest {
     private static final int NEVER_WALK = Integer.MAX_VALUE;
@@ -44,6 +44,7 @@ final class MaterialsInLanesTest {
         TEXTURES,
         ROUGH,
         GLASS,
+        METALS,
         LENS,
         ALL
     }
@@ -117,6 +118,9 @@ final class MaterialsInLanesTest {
         if (random.nextBoolean() && (kind == Kind.GLASS || kind == Kind.ALL)) {
             material = material.withTransmission(random.nextBoolean() ? 1 : random.nextDouble())
                     .withIor(random.nextInt(5) == 0 ? 1 : 1 + 3 * random.nextDouble());
+        }
+        if (random.nextBoolean() && (kind == Kind.METALS || kind == Kind.ALL)) {
+            material = material.withMetallic(random.nextBoolean() ? 1 : random.nextDouble());
         }
         return material;
     }

@@ -152,7 +152,8 @@ class MeshesInLanesTest {
                     .withScale(0.3 + random.nextDouble())
                     .withMaterial(Material.DEFAULT
                             .withColor(new Rgb(random.nextDouble(), 0.6, 0.4))
-                            .withReflectivity(128 * random.nextDouble())));
+                            .withReflectivity(128 * random.nextDouble())
+                            .withMetallic(random.nextBoolean() ? 0 : random.nextDouble())));
         }
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0.3, 2.2, -6), 3, 10, 45))

@@ -168,7 +168,7 @@ class SceneFilePropertyTest {
     // With the file in the folder, or a size that the kind of shape can have.
     private static Geometry possible(Geometry geometry) {
         return switch (geometry) {
-            case Geometry.OfFile(Path path) -> new Geometry.OfFile(FOLDER.resolve(path));
+            case Geometry.OfFile(Path path, String scene) -> new Geometry.OfFile(FOLDER.resolve(path), scene);
             case Shape shape -> {
                 Vector3 size = shape.size().map(side -> Math.max(side, 1e-3));
                 double height = shape.kind() == Shape.Kind.TORUS ? Math.min(size.y(), size.x() / 4) : size.y();
