@@ -16,9 +16,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Opens, resizes, changes engine and scene again and again; {@code -Dtwister.soak=500} for as often as that. */
+@Tag("slow")
 class SoakTest {
     private static final int ROUNDS = Integer.getInteger("twister.soak", 6);
     private static final int WARM_UP_ROUNDS = 3;

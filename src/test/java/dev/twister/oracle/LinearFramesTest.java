@@ -7,6 +7,7 @@ import dev.twister.scene.Rgb;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -29,6 +30,7 @@ class LinearFramesTest {
         return ShippedScenes.oracleNames();
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @MethodSource("names")
     void radianceIsTheOracles(String name) {

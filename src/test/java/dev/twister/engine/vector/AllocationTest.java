@@ -23,6 +23,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import jdk.incubator.vector.FloatVector;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -41,19 +42,26 @@ final class AllocationTest {
     private static final int FRAMES = 20;
 
     @ParameterizedTest
+    @CsvSource({"128, benchmark", "256, benchmark", "512, benchmark", "256, crowd of 1000", "512, crowd of 1000"})
+    void allocatesNextToNothingInAWarmFrame(int bits, String scene) throws IOException, InterruptedException {
+        requireWarmAt(bits, scene);
+    }
+
+    /** Their many stages take long to be compiled. */
+    @Tag("slow")
+    @ParameterizedTest
     @CsvSource({
-        "128, benchmark",
-        "256, benchmark",
-        "512, benchmark",
         "512, crowd of 100",
         "512, pour-on-mesh",
         "256, glass",
         "256, gallery",
         "512, glass",
-        "256, crowd of 1000",
-        "512, crowd of 1000"
     })
-    void allocatesNextToNothingInAWarmFrame(int bits, String scene) throws IOException, InterruptedException {
+    void allocatesNextToNothingWithManyMaterials(int bits, String scene) throws IOException, InterruptedException {
+        requireWarmAt(bits, scene);
+    }
+
+    private static void requireWarmAt(int bits, String scene) throws IOException, InterruptedException {
         assumeThat(bits)
                 .as("vector width in bits; wider vectors than the CPU's are boxed")
                 .isLessThanOrEqualTo(FloatVector.SPECIES_PREFERRED.vectorBitSize());

@@ -33,6 +33,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.FieldSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -173,7 +174,7 @@ final class DeclinedTest {
 
     /** Rounding alone would decide per pixel whether the sphere is in front of the camera or around it. */
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void sphereThatTheCameraIsOnIsTheSame(int bits) {
         Random random = new Random(20261125);
         Scene scene = SceneReader.read(Path.of("scenes", "teaching.json"));

@@ -25,7 +25,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.FieldSource;
 
 /** Values from the ends of the ranges that scenes allow: lanes render what the kernel renders, and never NaN. */
 final class ExtremesTest {
@@ -34,7 +34,7 @@ final class ExtremesTest {
     private static final Vector3 ORIGIN = new Vector3(0, 0, 0);
 
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void lightAtTheCamera(int bits) {
         assertSame(
                 bits,
@@ -47,7 +47,7 @@ final class ExtremesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void cameraWhereThreeSpheresTouch(int bits) {
         assertSame(
                 bits,
@@ -94,7 +94,7 @@ final class ExtremesTest {
      * infinity.
      */
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void glassBehindFarMirrors(int bits) {
         assertSame(
                 bits,

@@ -38,6 +38,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.FieldSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -91,7 +92,7 @@ final class VectorEngineTest {
 
     /** The bound applies to all pictures together: one alone may be too small to allow a single differing pixel. */
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void drawsRandomScenes(int bits) {
         Random random = new Random(20261121);
         try (Engine sequential = Engines.open("sequential");
@@ -108,7 +109,7 @@ final class VectorEngineTest {
      * bit for bit.
      */
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void hierarchyDrawsRandomScenesAsThePlainLoopDoes(int bits) {
         try (Engine plain = WidthLoader.openForCrowds(bits, 2, Integer.MAX_VALUE);
                 Engine vector = WidthLoader.openForCrowds(bits, 2, 0)) {
@@ -156,7 +157,7 @@ final class VectorEngineTest {
 
     /** Many more spheres than lanes, and shadows of packets that are computed point by point. */
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void hierarchyDrawsACrowdAsThePlainLoopDoes(int bits) {
         FrameInput input = Crowds.world(asMany(bits, 3000), 160, 90).snapshot();
         try (Engine plain = WidthLoader.openForCrowds(bits, 2, Integer.MAX_VALUE);
@@ -168,7 +169,7 @@ final class VectorEngineTest {
 
     /** Squared distances are ten million times the squared radius, which cancels out of the difference in floats. */
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void drawsTheShadowsOfTinySpheresUnderAWideLight(int bits) {
         Skybox gray = new Skybox(1, 1, new float[] {0.5f, 0.5f, 0.5f});
         for (double radius : new double[] {3e-4, 1e-2}) {
@@ -242,7 +243,7 @@ final class VectorEngineTest {
      * applies to all pictures together, as for random scenes.
      */
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void drawsNarrowViews(int bits) {
         Random random = new Random(20261123);
         try (Engine sequential = Engines.open("sequential");
@@ -271,7 +272,7 @@ final class VectorEngineTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void drawsBands(int bits) {
         World world = shipped("teaching");
         world.setSettings(world.settings().withSize(150, 90));
@@ -279,7 +280,7 @@ final class VectorEngineTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void drawsWithEveryToneMapAndSeveralSamples(int bits) {
         World world = shipped("mirrors");
         Rendering settings =
@@ -293,7 +294,7 @@ final class VectorEngineTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void keepsLinearRadiance(int bits) {
         World world = shipped("benchmark");
         world.setSettings(world.settings().withSize(131, 77).withSamplesPerPixel(2));

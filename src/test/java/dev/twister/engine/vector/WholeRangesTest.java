@@ -31,7 +31,7 @@ import jdk.incubator.vector.FloatVector;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.FieldSource;
 
 /**
  * Random scenes over the whole ranges of the scene file; {@code -Dtwister.ranges=6000} sets their number. The seed
@@ -98,7 +98,7 @@ final class WholeRangesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
+    @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void vectorDrawsWhatSequentialDraws(int bits) {
         boolean wider = bits > FloatVector.SPECIES_PREFERRED.vectorBitSize();
         assertSame(

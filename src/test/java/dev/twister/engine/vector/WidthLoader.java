@@ -1,5 +1,7 @@
 package dev.twister.engine.vector;
 
+import static org.assertj.core.api.Assumptions.assumeThat;
+
 import dev.twister.engine.Engine;
 import dev.twister.engine.vector.lanes.FusedMultiplyAdd;
 import dev.twister.engine.vector.lanes.Lanes;
@@ -22,8 +24,8 @@ final class WidthLoader extends ClassLoader {
     private static final String PACKAGE = VectorEngines.class.getPackageName() + ".";
 
     /**
-     * Vector widths in bits at which many scenes are compared: the CPU's own, or 128, 256 and 512 with
-     * {@code -Dtwister.widths=all}.
+     * Vector widths in bits at which pictures are compared: the CPU's own, or 128, 256 and 512 with
+     * {@code -Dtwister.widths=all}. Tests of other widths are skipped.
      */
     static final List<Integer> WIDTHS = "all".equals(System.getProperty("twister.widths"))
             ? List.of(128, 256, 512)
@@ -41,17 +43,17 @@ final class WidthLoader extends ClassLoader {
      * @param bits 128, 256 or 512
      */
     static Engine open(int bits, int threads) {
-        return open(Map.of(Lanes.BITS_PROPERTY, Integer.toString(bits)), threads);
+        return open(width(bits), threads);
     }
 
     /** Opens an engine that traverses the hierarchy from {@code crowd} bodies on. */
     static Engine openForCrowds(int bits, int threads, int crowd) {
-        return open(Map.of(Lanes.BITS_PROPERTY, Integer.toString(bits)), threads, crowd);
+        return open(width(bits), threads, crowd);
     }
 
     /** Opens an engine that declines some bodies. */
     static Engine openDeclining(int bits, int threads, int crowd, IntPredicate declined) {
-        return open(Map.of(Lanes.BITS_PROPERTY, Integer.toString(bits)), threads, crowd, declined);
+        return open(width(bits), threads, crowd, declined);
     }
 
     /** Opens a four-lane engine as on CPUs without fused multiply-add. */
@@ -62,6 +64,11 @@ final class WidthLoader extends ClassLoader {
     /** Opens an engine without fused multiply-add that traverses the hierarchy from {@code crowd} bodies on. */
     static Engine openWithoutFusing(int threads, int crowd) {
         return open(Map.of(Lanes.BITS_PROPERTY, "128", FusedMultiplyAdd.PROPERTY, "false"), threads, crowd);
+    }
+
+    private static Map<String, String> width(int bits) {
+        assumeThat(WIDTHS).as("widths; -Dtwister.widths=all tests all").contains(bits);
+        return Map.of(Lanes.BITS_PROPERTY, Integer.toString(bits));
     }
 
     private static Engine open(Map<String, String> properties, Object... arguments) {
