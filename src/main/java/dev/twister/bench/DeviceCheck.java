@@ -6,6 +6,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.image.Frame;
 import dev.twister.image.PictureSize;
+import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,6 +15,9 @@ import java.util.Optional;
 /** Compares engines' pictures of several scenes with the reference's, and measures each engine in one of them. */
 public final class DeviceCheck {
     private static final double NANOS_PER_SECOND = 1e9;
+
+    /** Of a path-traced scene; engines follow the same paths, so that more samples would show nothing else. */
+    private static final int MOST_SAMPLES = 16;
 
     private final DeviceCheckPlan plan;
     private final CheckedScene timed;
@@ -106,7 +110,10 @@ public final class DeviceCheck {
     }
 
     private static FrameInput input(CheckedScene scene, PictureSize size) {
-        scene.world().setSettings(scene.world().settings().withSize(size.width(), size.height()));
+        Rendering settings = scene.world().settings();
+        scene.world()
+                .setSettings(settings.withSize(size.width(), size.height())
+                        .withSamplesPerPixel(Math.min(settings.samplesPerPixel(), MOST_SAMPLES)));
         return scene.world().snapshot();
     }
 

@@ -39,7 +39,7 @@ public final class Engines {
         return offers(provider -> provider.devices().isEmpty());
     }
 
-    private static List<EngineOffer> offers(Predicate<EngineProvider> asked) {
+    static List<EngineOffer> offers(Predicate<EngineProvider> asked) {
         return providers()
                 .filter(asked)
                 .sorted(Comparator.comparing((EngineProvider provider) -> !(provider instanceof JvmEngines))

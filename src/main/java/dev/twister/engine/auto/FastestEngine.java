@@ -1,5 +1,6 @@
 package dev.twister.engine.auto;
 
+import dev.twister.engine.AllEngines;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
@@ -23,8 +24,11 @@ public final class FastestEngine {
     /** The name that stands for the fastest engine. */
     public static final String AUTO = "auto";
 
-    /** Excluded: this engine itself, and {@code sequential}, which {@code parallel} supersedes. */
-    private static final Set<String> NEVER_TAKEN = Set.of(AUTO, JvmEngines.SEQUENTIAL);
+    /**
+     * Excluded: this engine itself, {@code all}, which is several, and {@code sequential}, which {@code parallel}
+     * supersedes.
+     */
+    private static final Set<String> NEVER_TAKEN = Set.of(AUTO, AllEngines.ALL, JvmEngines.SEQUENTIAL);
 
     /** Assumed to be the fastest until engines have been measured; see {@code docs/decisions/008}. */
     private static final String MOSTLY_FASTEST = "vector";
