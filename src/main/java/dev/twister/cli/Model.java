@@ -58,7 +58,7 @@ record Model(Scene scene, MeshFile content) {
 
     /** The same with smooth edges. */
     Model forPictures() {
-        Rendering settings = scene.rendering().withSamplesPerPixel(SAMPLES).withShadows(SHADOW_SAMPLES);
+        Rendering settings = scene.rendering().withSamplesPerPixel(SAMPLES).withShadowSamples(SHADOW_SAMPLES);
         return new Model(scene.withRendering(settings), content);
     }
 

@@ -1,8 +1,8 @@
 package dev.twister.cli;
 
 import dev.twister.mesh.MeshPose;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.SceneLimits;
-import dev.twister.scene.Vector3;
 import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;
@@ -50,7 +50,7 @@ final class ModelOptions {
             throw new BadInputException(
                     "--rotate has " + angles.size() + " angles; give YAW, or YAW,PITCH,ROLL in degrees");
         }
-        return new MeshPose(up, new Vector3(angle(1), angle(0), angle(2)));
+        return new MeshPose(up, new Rotation(angle(0), angle(1), angle(2)));
     }
 
     private double angle(int index) {

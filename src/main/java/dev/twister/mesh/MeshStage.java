@@ -80,7 +80,7 @@ public final class MeshStage {
                 -distance * Math.sin(yaw) * Math.cos(pitch),
                 scale * half.y() + distance * Math.sin(pitch),
                 -distance * Math.cos(yaw) * Math.cos(pitch));
-        Mesh mesh = turned.withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES);
+        Mesh mesh = turned.withScale(scale).withPosition(place).withSmoothDegrees(SMOOTH_DEGREES);
         FileSurroundings around = held.surroundings().placed(MeshPlacement.of(mesh));
         StageLights lights = new StageLights(new Vector3(0, scale * half.y(), 0), LARGEST_SIDE / 2);
         return Scene.under(skybox)
@@ -88,7 +88,7 @@ public final class MeshStage {
                 .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
                 .withViews(around.cameras().stream().map(FileCamera::view).toList())
                 .withLights(around.lights().isEmpty() ? Lights.of(LIGHT) : lights.of(around.lights(), scale))
-                .withRendering(Rendering.DEFAULT.withShadows(SHADOW_SAMPLES))
+                .withRendering(Rendering.DEFAULT.withShadowSamples(SHADOW_SAMPLES))
                 .withGround(Ground.of(PLANE_SIZE, PLANE_HEIGHT, BRIGHT, DARK, 0))
                 .withMeshes(List.of(mesh));
     }

@@ -7,7 +7,6 @@ import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
 /** The lights of a file, which have no size, as balls around its mesh: near ones are small, far ones like the sun. */
 final class StageLights {
@@ -48,9 +47,10 @@ final class StageLights {
         List<Light> used = new ArrayList<>();
         for (Placed one : placed) {
             Light light = one.light();
-            used.add(light.withShare(SceneLimits.LIGHT_SHARE.clamp(dimmed * light.share()))
-                    .withStrength(
-                            light.strength().map(strength -> SceneLimits.LIGHT_STRENGTH.clamp(dimmed * strength))));
+            Light dim = light.withShare(SceneLimits.LIGHT_SHARE.clamp(dimmed * light.share()));
+            used.add(light.strength()
+                    .map(strength -> dim.withStrength(SceneLimits.LIGHT_STRENGTH.clamp(dimmed * strength)))
+                    .orElse(dim));
         }
         return new Lights(used);
     }
@@ -67,7 +67,7 @@ final class StageLights {
                         SceneLimits.POSITION.clamp(center.plus(place)),
                         far ? SUN * distance : SMALL * radius,
                         light.color())
-                .withStrength(Optional.of(strength))
+                .withStrength(strength)
                 .withShare(share);
         return new Placed(ball, place.length() > 0 ? place.normalized() : place);
     }

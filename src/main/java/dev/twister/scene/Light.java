@@ -44,8 +44,13 @@ public record Light(Vector3 position, double radius, Rgb color, Optional<Double>
         return new Light(position, radius, newColor, strength, share, group);
     }
 
-    public Light withStrength(Optional<Double> newStrength) {
-        return new Light(position, radius, color, newStrength, share, group);
+    public Light withStrength(double newStrength) {
+        return new Light(position, radius, color, Optional.of(newStrength), share, group);
+    }
+
+    /** As bright in path tracing as without it. */
+    public Light withoutStrength() {
+        return new Light(position, radius, color, Optional.empty(), share, group);
     }
 
     public Light withShare(double newShare) {

@@ -108,7 +108,7 @@ public final class FileActions {
     /** Shows a mesh in a scene of its own. */
     private void openMesh(Path file) {
         Path absolute = FileNames.absolute(file);
-        Mesh mesh = Mesh.of(absolute).withSmooth(MeshStage.SMOOTH_DEGREES);
+        Mesh mesh = Mesh.of(absolute).withSmoothDegrees(MeshStage.SMOOTH_DEGREES);
         Path sky = FileNames.absolute(shipped.skyboxes().resolve(ShippedSky.DAY.fileName()));
         assets.readMesh(mesh, unlessEdited(held -> {
             studio.assets().keepMesh(mesh, held);

@@ -34,9 +34,12 @@ final class MeshFields {
 
     /** How the triangles of a file are shaded. */
     static List<Field<Mesh, ?>> shading() {
-        return List.of(
-                sparse("smooth", new ValueType.Decimal(SceneLimits.SMOOTH), Mesh::smoothDegrees, Mesh::withSmooth)
-                        .from(2));
+        return List.of(sparse(
+                        "smooth",
+                        new ValueType.Decimal(SceneLimits.SMOOTH),
+                        Mesh::smoothDegrees,
+                        Mesh::withSmoothDegrees)
+                .from(2));
     }
 
     static List<Field<Mesh, ?>> ofShape() {

@@ -25,7 +25,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -111,7 +110,7 @@ final class MaterialsInLanesTest {
     private static Material material(Material plain, Random random, Kind kind) {
         Material material = plain;
         if (random.nextBoolean() && (kind == Kind.TEXTURES || kind == Kind.ALL)) {
-            material = material.withTexture(Optional.of(FILE));
+            material = material.withTexture(FILE);
         }
         if (random.nextBoolean() && (kind == Kind.ROUGH || kind == Kind.ALL)) {
             material = material.withRoughness(random.nextInt(4) == 0 ? 1 : random.nextDouble());

@@ -154,8 +154,11 @@ class SceneFilePropertyTest {
                         .map(sphere -> sphere.withMaterial(withFiles(sphere.material())))
                         .toList())
                 .withMeshes(scene.meshes().stream()
-                        .map(mesh -> mesh.withGeometry(possible(mesh.geometry()))
-                                .withMaterial(mesh.material().map(SceneFilePropertyTest::withFiles)))
+                        .map(mesh -> mesh.withGeometry(possible(mesh.geometry())))
+                        .map(mesh -> mesh.material()
+                                .map(SceneFilePropertyTest::withFiles)
+                                .map(mesh::withMaterial)
+                                .orElse(mesh))
                         .toList());
         return there.pour()
                 .map(pour -> there.withPour(pour.withMaterial(withFiles(pour.material()))))
@@ -182,11 +185,19 @@ class SceneFilePropertyTest {
 
     private static Material withFiles(Material material) {
         Maps maps = material.maps();
-        return material.withTexture(material.texture().map(FOLDER::resolve))
-                .withMaps(maps.withEmission(maps.emission().map(SceneFilePropertyTest::withFile))
-                        .withRoughness(maps.roughness().map(SceneFilePropertyTest::withFile))
-                        .withMetallic(maps.metallic().map(SceneFilePropertyTest::withFile))
-                        .withNormal(maps.normal().map(SceneFilePropertyTest::withFile)));
+        Material there = material.texture()
+                .map(FOLDER::resolve)
+                .map(material::withTexture)
+                .orElse(material);
+        return there.withMaps(new Maps(
+                maps.texture(),
+                maps.emission().map(SceneFilePropertyTest::withFile),
+                maps.roughness().map(SceneFilePropertyTest::withFile),
+                maps.metallic().map(SceneFilePropertyTest::withFile),
+                maps.normal().map(SceneFilePropertyTest::withFile),
+                maps.occlusion(),
+                maps.transmission(),
+                maps.alpha()));
     }
 
     private static ImageMap withFile(ImageMap map) {
