@@ -137,7 +137,7 @@ public final class SceneBuilder {
     /** No file can have triangles of code, so that a shape stands for them where values are checked. */
     private static Mesh inFile(Mesh mesh) {
         return mesh.geometry() instanceof Triangles
-                ? mesh.withGeometry(Shape.of(Shape.Kind.BOX, 1)).withSmooth(0)
+                ? mesh.withGeometry(Shape.of(Shape.Kind.BOX, 1)).withSmoothDegrees(0)
                 : mesh;
     }
 

@@ -8,9 +8,9 @@ import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Vector3;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -20,7 +20,7 @@ class ShapesTest {
     private static final Material GLASS =
             Material.DEFAULT.withColor(new Rgb(1, 1, 1)).withReflectivity(0).withTransmission(1);
 
-    private static final Rendering SMALL = Rendering.DEFAULT.withSize(64, 48).withShadows(4);
+    private static final Rendering SMALL = Rendering.DEFAULT.withSize(64, 48).withShadowSamples(4);
 
     /** A hole, or a triangle that faces inward, would bend or end rays. */
     @ParameterizedTest
@@ -30,8 +30,8 @@ class ShapesTest {
             names = {"QUAD"})
     void glassThatDoesNotRefractIsNotSeen(Shape.Kind kind) {
         Mesh mesh = Mesh.of(Shape.of(kind, 2))
-                .withRotation(new Vector3(30, 20, 10))
-                .withMaterial(Optional.of(GLASS.withIor(1)));
+                .withRotation(new Rotation(20, 30, 10))
+                .withMaterial(GLASS.withIor(1));
         int[] without = argb(level());
         int[] with = argb(level().mesh(mesh));
 
@@ -49,10 +49,10 @@ class ShapesTest {
                 .withColor(new Rgb(0, 0, 0))
                 .withEmission(
                         Material.DEFAULT.emission().withColor(new Rgb(0, 1, 0)).withDoubleSided(false));
-        Mesh quad = Mesh.of(new Shape(Shape.Kind.QUAD, new Vector3(2, 1, 0))).withMaterial(Optional.of(lamp));
+        Mesh quad = Mesh.of(new Shape(Shape.Kind.QUAD, new Vector3(2, 1, 0))).withMaterial(lamp);
 
         assertThat(middle(quad)).isEqualTo(0xff00ff00);
-        assertThat(middle(quad.withRotation(new Vector3(0, 180, 0)))).isNotEqualTo(0xff00ff00);
+        assertThat(middle(quad.withRotation(new Rotation(180, 0, 0)))).isNotEqualTo(0xff00ff00);
     }
 
     private static int middle(Mesh mesh) {

@@ -31,7 +31,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class TwisterTest {
-    private static final Rendering SMALL = Rendering.DEFAULT.withSize(32, 18).withShadows(4);
+    private static final Rendering SMALL = Rendering.DEFAULT.withSize(32, 18).withShadowSamples(4);
 
     @TempDir
     private Path folder;
@@ -134,7 +134,7 @@ class TwisterTest {
     void settingsOfAWorldAreRefused() {
         World world = level().world();
         assertRefused(() -> world.setSettings(SMALL.withSize(-3, 4)), "rendering.width is -3, but must be a number");
-        assertRefused(() -> world.setSettings(SMALL.withShadows(0)), "rendering.shadowSamples is 0, but");
+        assertRefused(() -> world.setSettings(SMALL.withShadowSamples(0)), "rendering.shadowSamples is 0, but");
         assertRefused(() -> world.setSettings(SMALL.withBounces(-1)), "rendering.bounces is -1, but");
         assertRefused(() -> world.setSettings(SMALL.withExposure(Double.NaN)), "rendering.exposure is NaN, but");
         assertThat(world.settings()).isEqualTo(SMALL);
@@ -144,7 +144,7 @@ class TwisterTest {
     void camerasOfAWorldAreRefused() {
         World world = level().world();
         Camera camera = world.camera();
-        assertRefused(() -> world.setCamera(camera.withFieldOfView(500)), "camera.fieldOfView is 500, but");
+        assertRefused(() -> world.setCamera(camera.withFieldOfViewDegrees(500)), "camera.fieldOfView is 500, but");
         Vector3 nowhere = new Vector3(0, Double.NaN, 0);
         assertRefused(() -> world.setCamera(camera.withPosition(nowhere)), "camera.position.y is NaN, but");
         assertThat(world.camera()).isEqualTo(camera);

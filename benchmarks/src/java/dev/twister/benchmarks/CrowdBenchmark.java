@@ -54,7 +54,7 @@ public class CrowdBenchmark {
 
     @Setup(Level.Trial)
     public void fill() {
-        world = BenchmarkScene.withSpheres(spheres, Rendering.DEFAULT.withShadows(SHADOW_SAMPLES));
+        world = BenchmarkScene.withSpheres(spheres, Rendering.DEFAULT.withShadowSamples(SHADOW_SAMPLES));
         input = world.snapshot();
         places = Arrays.copyOf(input.bodies().floats(), input.bodies().spheres());
         for (int axis = 0; axis < 3; axis++) {

@@ -53,7 +53,7 @@ public class FrameBenchmark {
         String[] sides = size.split("x", 2);
         Rendering settings = Rendering.DEFAULT
                 .withSize(Integer.parseInt(sides[0]), Integer.parseInt(sides[1]))
-                .withShadows(shadowSamples)
+                .withShadowSamples(shadowSamples)
                 .withBounces(bounces);
         input = BenchmarkScene.withSpheres(spheres, settings).snapshot();
         frame = Frame.ofPixels(input.width(), input.height());

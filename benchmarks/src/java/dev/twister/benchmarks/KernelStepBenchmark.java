@@ -47,7 +47,7 @@ public class KernelStepBenchmark {
 
     @Setup(Level.Trial)
     public void fill() {
-        input = BenchmarkScene.paper(Rendering.DEFAULT.withShadows(SHADOW_SAMPLES))
+        input = BenchmarkScene.paper(Rendering.DEFAULT.withShadowSamples(SHADOW_SAMPLES))
                 .snapshot();
         SplittableRandom random = new SplittableRandom(1);
         for (int i = 0; i < CALLS; i++) {

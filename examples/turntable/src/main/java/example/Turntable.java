@@ -32,7 +32,7 @@ public final class Turntable {
                 .sphere(Sphere.of(new Vector3(-1.3, 1, 0), 1, Material.DEFAULT.withTransmission(1)))
                 .sphere(Sphere.of(new Vector3(1.3, 1, 0), 1, Material.DEFAULT.withReflectivity(110)))
                 .sky(DaylightSky.panorama(512, 256, 35, 120, 3))
-                .rendering(Rendering.DEFAULT.withSize(320, 180).withShadows(32).withBounces(6))
+                .rendering(Rendering.DEFAULT.withSize(320, 180).withShadowSamples(32).withBounces(6))
                 .world();
         Frame frame = Frame.ofPixels(320, 180);
         try (Engine engine = Engines.open("vector")) {

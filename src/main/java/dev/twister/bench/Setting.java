@@ -21,7 +21,7 @@ public record Setting(PictureSize size, int shadowSamples, int bounces, Optional
 
     Rendering over(Rendering settings) {
         Rendering shaded = settings.withSize(size.width(), size.height())
-                .withShadows(shadowSamples)
+                .withShadowSamples(shadowSamples)
                 .withBounces(bounces);
         return paths.map(samples -> shaded.withIntegrator(Integrator.PATH).withSamplesPerPixel(samples))
                 .orElseGet(() -> shaded.withIntegrator(Integrator.WHITTED));

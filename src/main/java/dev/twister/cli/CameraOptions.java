@@ -57,9 +57,9 @@ final class CameraOptions {
     Camera over(Scene scene) {
         Camera camera = view.map(name -> view(scene, name)).orElse(scene.camera());
         return camera.withPosition(position.map(CameraOptions::checked).orElse(camera.position()))
-                .withYaw(Ranges.check("--yaw", yaw.orElse(camera.yawDegrees()), SceneLimits.YAW))
-                .withPitch(Ranges.check("--pitch", pitch.orElse(camera.pitchDegrees()), SceneLimits.PITCH))
-                .withFieldOfView(Ranges.check(
+                .withYawDegrees(Ranges.check("--yaw", yaw.orElse(camera.yawDegrees()), SceneLimits.YAW))
+                .withPitchDegrees(Ranges.check("--pitch", pitch.orElse(camera.pitchDegrees()), SceneLimits.PITCH))
+                .withFieldOfViewDegrees(Ranges.check(
                         "--fov", fieldOfView.orElse(camera.fieldOfViewDegrees()), SceneLimits.FIELD_OF_VIEW))
                 .withAperture(Ranges.check("--aperture", aperture.orElse(camera.aperture()), SceneLimits.APERTURE))
                 .withFocusDistance(Ranges.check(

@@ -64,7 +64,8 @@ final class GuiCommand implements Callable<Integer> {
     /** A mesh as 'twister view' shows it. */
     private FirstScene staged(Path mesh) {
         PrintWriter err = spec.commandLine().getErr();
-        return Model.read(mesh, new ModelOptions().pose(), SkyFiles.warnings(err))
+        ModelOptions options = new ModelOptions();
+        return Model.read(mesh, options.scene(), options.pose(), SkyFiles.warnings(err))
                 .firstScene(mesh);
     }
 

@@ -6,6 +6,7 @@ import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPose;
 import dev.twister.mesh.MeshReader;
 import dev.twister.mesh.MeshStage;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
@@ -39,11 +40,12 @@ record Model(Scene scene, MeshFile content) {
     /**
      * Reads the mesh.
      *
+     * @param scene of a glTF file, as in {@link Geometry.OfFile}
      * @param warnings told of what the file says and is not used
      * @throws dev.twister.mesh.MeshException if the file cannot be read
      */
-    static Model read(Path file, MeshPose pose, Consumer<String> warnings) {
-        Path mesh = file.toAbsolutePath().normalize();
+    static Model read(Path file, String scene, MeshPose pose, Consumer<String> warnings) {
+        Geometry.OfFile mesh = new Geometry.OfFile(file.toAbsolutePath().normalize(), scene);
         MeshFile content = MeshReader.read(mesh, MeshStage.SMOOTH_DEGREES, warnings);
         Path sky = Home.skyboxes().resolve(ShippedSky.DAY.fileName());
         return new Model(MeshStage.of(mesh, content, sky.toAbsolutePath().normalize(), pose), content);
@@ -56,7 +58,7 @@ record Model(Scene scene, MeshFile content) {
 
     /** The same with smooth edges. */
     Model forPictures() {
-        Rendering settings = scene.rendering().withSamplesPerPixel(SAMPLES).withShadows(SHADOW_SAMPLES);
+        Rendering settings = scene.rendering().withSamplesPerPixel(SAMPLES).withShadowSamples(SHADOW_SAMPLES);
         return new Model(scene.withRendering(settings), content);
     }
 

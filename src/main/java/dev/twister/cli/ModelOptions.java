@@ -1,13 +1,13 @@
 package dev.twister.cli;
 
 import dev.twister.mesh.MeshPose;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.SceneLimits;
-import dev.twister.scene.Vector3;
 import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
-/** How a mesh file that is given instead of a scene stands. */
+/** What of a mesh file that is given instead of a scene is shown, and how it stands. */
 final class ModelOptions {
     private static final int ANGLES = 3;
 
@@ -24,8 +24,20 @@ final class ModelOptions {
             description = "For a mesh file: rotate it by YAW, or by YAW,PITCH,ROLL.")
     private List<Double> angles = List.of();
 
+    @Option(
+            names = "--scene",
+            paramLabel = "NAME",
+            description = "For a glTF file with several scenes: one of them, by its name or its number from 0. Default:"
+                    + " the file's default scene.")
+    private String scene = "";
+
     boolean areGiven() {
-        return up.isPresent() || !angles.isEmpty();
+        return up.isPresent() || !angles.isEmpty() || !scene.isEmpty();
+    }
+
+    /** As in {@link dev.twister.scene.Geometry.OfFile}. */
+    String scene() {
+        return scene;
     }
 
     /**
@@ -38,7 +50,7 @@ final class ModelOptions {
             throw new BadInputException(
                     "--rotate has " + angles.size() + " angles; give YAW, or YAW,PITCH,ROLL in degrees");
         }
-        return new MeshPose(up, new Vector3(angle(1), angle(0), angle(2)));
+        return new MeshPose(up, new Rotation(angle(0), angle(1), angle(2)));
     }
 
     private double angle(int index) {

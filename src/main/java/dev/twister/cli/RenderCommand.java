@@ -198,7 +198,7 @@ final class RenderCommand implements Callable<Integer> {
         Consumer<String> warnings = SkyFiles.warnings(spec.commandLine().getErr());
         Optional<Model> mesh = Model.isNamed(file) ? Optional.of(model(file, warnings)) : Optional.empty();
         if (mesh.isEmpty() && model.areGiven()) {
-            throw new BadInputException("--up and --rotate are for mesh files, but " + file + " is a scene");
+            throw new BadInputException("--up, --rotate and --scene are for mesh files, but " + file + " is a scene");
         }
         Scene scene = sky.over(mesh.isPresent() ? mesh.get().scene() : VisibleBodies.of(SceneFiles.read(file)));
         Optional<MotionFile> recorded = film.open(scene);
@@ -219,7 +219,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private Model model(Path file, Consumer<String> warnings) {
-        Model read = Model.read(file, model.pose(), warnings).forPictures();
+        Model read = Model.read(file, model.scene(), model.pose(), warnings).forPictures();
         return background == Background.NONE ? read.withoutPlane() : read;
     }
 

@@ -36,7 +36,7 @@ final class ShadingOptions {
 
     /** The settings with what the options say. */
     Rendering over(Rendering usual) {
-        return usual.withShadows(shadowSamplesOr(usual.shadowSamples()))
+        return usual.withShadowSamples(shadowSamplesOr(usual.shadowSamples()))
                 .withBounces(bouncesOr(usual.bounces()))
                 .withIntegrator(integrator.orElse(usual.integrator()))
                 .withClamp(Ranges.check(

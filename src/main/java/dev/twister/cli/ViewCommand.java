@@ -55,7 +55,7 @@ final class ViewCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         Consumer<String> warnings = SkyFiles.warnings(spec.commandLine().getErr());
-        Model read = Model.read(file, model.pose(), warnings);
+        Model read = Model.read(file, model.scene(), model.pose(), warnings);
         Scene scene = read.scene();
         if (output.isPresent()) {
             // For what is to be said of its textures.

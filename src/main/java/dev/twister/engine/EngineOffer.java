@@ -26,8 +26,8 @@ public record EngineOffer(
     }
 
     /** The same engine with the version of its driver. */
-    public EngineOffer withDriver(Optional<String> version) {
-        return new EngineOffer(id, device, version, description, obstacle, opener);
+    public EngineOffer withDriver(String version) {
+        return new EngineOffer(id, device, Optional.of(version), description, obstacle, opener);
     }
 
     /** An engine that cannot run here, with the reason. */

@@ -65,10 +65,10 @@ final class GltfMaterials {
                 .withUnlit(extensions.at("KHR_materials_unlit").exists())
                 .withIor(ior(extensions));
         whole = transmission(whole, extensions, textures);
-        Maps maps = whole.maps()
-                .withEmission(textures.map(material.at("emissiveTexture"), ""))
-                .withNormal(textures.map(material.at("normalTexture"), "scale"))
-                .withOcclusion(textures.map(material.at("occlusionTexture"), "strength"));
+        Maps maps = whole.maps();
+        maps = Given.with(maps, textures.map(material.at("emissiveTexture"), ""), Maps::withEmission);
+        maps = Given.with(maps, textures.map(material.at("normalTexture"), "scale"), Maps::withNormal);
+        maps = Given.with(maps, textures.map(material.at("occlusionTexture"), "strength"), Maps::withOcclusion);
         return new Textured(whole.withMaps(maps), textures.coordinates());
     }
 
@@ -76,16 +76,16 @@ final class GltfMaterials {
         double[] color = place.at("baseColorFactor").numbersOr(1, 1, 1, 1);
         Optional<ImageMap> texture = textures.map(place.at("baseColorTexture"), "");
         Optional<ImageMap> roughness = textures.map(place.at("metallicRoughnessTexture"), "");
-        return Material.DEFAULT
+        Maps maps = Maps.NONE.withTexture(texture.map(ImageMap::sampler).orElse(Sampler.DEFAULT));
+        Material plain = Material.DEFAULT
                 .withColor(new Rgb(unit(color[0]), unit(color[1]), unit(color[2])))
                 .withAlpha(new Alpha(Alpha.Mode.OPAQUE, unit(color[3]), Alpha.OPAQUE.cutoff()))
                 .withMetallic(place.at("metallicFactor").unitOr(1))
                 .withRoughness(place.at("roughnessFactor").unitOr(1))
-                .withTexture(texture.map(ImageMap::file))
-                .withMaps(Maps.NONE
-                        .withTexture(texture.map(ImageMap::sampler).orElse(Sampler.DEFAULT))
-                        .withRoughness(roughness)
-                        .withMetallic(roughness));
+                .withMaps(roughness
+                        .map(map -> maps.withRoughness(map).withMetallic(map))
+                        .orElse(maps));
+        return Given.with(plain, texture.map(ImageMap::file), Material::withTexture);
     }
 
     private static Alpha alpha(GltfPlace material, Material base) {
@@ -146,7 +146,8 @@ final class GltfMaterials {
         double distance = volume.at("attenuationDistance").numberOr(0);
         return material.withTransmission(
                         material.maps().metallic().isEmpty() ? transmission * (1 - material.metallic()) : transmission)
-                .withMaps(material.maps().withTransmission(textures.map(place.at("transmissionTexture"), "")))
+                .withMaps(Given.with(
+                        material.maps(), textures.map(place.at("transmissionTexture"), ""), Maps::withTransmission))
                 .withAttenuation(new Attenuation(
                         new Rgb(unit(color[0]), unit(color[1]), unit(color[2])),
                         distance > 0 ? Optional.of(distance) : Optional.empty()));

@@ -1,5 +1,6 @@
 package dev.twister.mesh;
 
+import dev.twister.scene.Geometry;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -21,6 +22,7 @@ final class GltfReader {
             "KHR_materials_transmission",
             "KHR_materials_unlit",
             "KHR_materials_volume",
+            GltfSurroundings.LIGHTS,
             "KHR_mesh_quantization",
             GltfInstances.EXTENSION,
             "KHR_texture_transform");
@@ -52,6 +54,7 @@ final class GltfReader {
             "EXT_feature_metadata",
             "AGI_");
 
+    private final Geometry.OfFile source;
     private final Path file;
     private final Bytes bytes;
     private final double smoothDegrees;
@@ -60,8 +63,9 @@ final class GltfReader {
 
     private record Placed(int node, Affine parent) {}
 
-    GltfReader(Path file, Bytes bytes, double smoothDegrees, Warnings warnings) {
-        this.file = file;
+    GltfReader(Geometry.OfFile source, Bytes bytes, double smoothDegrees, Warnings warnings) {
+        this.source = source;
+        file = source.path();
         this.bytes = bytes;
         this.smoothDegrees = smoothDegrees;
         this.warnings = warnings;
@@ -77,11 +81,13 @@ final class GltfReader {
             GltfImages images = new GltfImages(file, bytes, root, buffers, warnings);
             GltfMeshes meshes = new GltfMeshes(
                     bytes, root, buffers, new GltfMaterials(root, images, warnings), smoothDegrees, warnings);
-            placeAll(root, meshes);
+            GltfSurroundings surroundings = new GltfSurroundings(root, warnings);
+            placeAll(root, meshes, surroundings);
             if (parts.isEmpty()) {
                 throw MeshAssembly.noTriangles(bytes, meshes.degenerateTriangles());
             }
-            return new MeshFile(meshes.meshes(), parts, images.embedded(), meshes.degenerateTriangles());
+            return new MeshFile(
+                    meshes.meshes(), parts, images.embedded(), meshes.degenerateTriangles(), surroundings.all());
         }
     }
 
@@ -127,17 +133,13 @@ final class GltfReader {
         if (root.at("animations").size() > 0) {
             warnings.add("animations are not played; the mesh is shown at rest");
         }
-        if (root.at("scenes").size() > 1) {
-            warnings.add("there are several scenes; " + (root.at("scene").exists() ? "the default" : "the first")
-                    + " one is read");
-        }
     }
 
-    private void placeAll(GltfPlace root, GltfMeshes meshes) throws IOException {
+    private void placeAll(GltfPlace root, GltfMeshes meshes, GltfSurroundings surroundings) throws IOException {
         GltfPlace nodes = root.at("nodes");
         Deque<Placed> waiting = new ArrayDeque<>();
         BitSet reached = new BitSet();
-        reach(roots(root, nodes), nodes, Affine.IDENTITY, waiting, reached);
+        reach(GltfScenes.roots(root, source.scene(), warnings), nodes, Affine.IDENTITY, waiting, reached);
         while (!waiting.isEmpty()) {
             Placed next = waiting.pop();
             GltfPlace node = nodes.at(next.node());
@@ -145,7 +147,8 @@ final class GltfReader {
             if (node.at("mesh").exists()) {
                 placePosed(node, placement, root, meshes);
             }
-            reach(numbers(node.at("children"), nodes), nodes, placement, waiting, reached);
+            surroundings.add(node, GltfTransform.turned(placement));
+            reach(GltfScenes.indices(node.at("children"), nodes), nodes, placement, waiting, reached);
         }
         if (nodes.size() == 0) {
             for (int mesh = 0; mesh < root.at("meshes").size(); mesh++) {
@@ -164,30 +167,6 @@ final class GltfReader {
             reached.set(node);
             waiting.push(new Placed(node, parent));
         }
-    }
-
-    private static List<Integer> numbers(GltfPlace list, GltfPlace nodes) {
-        return list.items().stream().map(number -> number.index(nodes)).toList();
-    }
-
-    /** The visible root nodes: those of the file's scene, or all nodes without a parent. */
-    private static List<Integer> roots(GltfPlace root, GltfPlace nodes) {
-        GltfPlace scenes = root.at("scenes");
-        if (scenes.size() > 0) {
-            GltfPlace scene = root.at("scene").exists() ? root.at("scene").in(scenes) : scenes.at(0);
-            return numbers(scene.at("nodes"), nodes);
-        }
-        BitSet children = new BitSet();
-        for (GltfPlace node : nodes.items()) {
-            for (GltfPlace child : node.at("children").items()) {
-                children.set(child.index(nodes));
-            }
-        }
-        List<Integer> roots = new ArrayList<>();
-        for (int node = children.nextClearBit(0); node < nodes.size(); node = children.nextClearBit(node + 1)) {
-            roots.add(node);
-        }
-        return roots;
     }
 
     /** Places a node's mesh: by the joints of its skin, or else by the node's own transform. */

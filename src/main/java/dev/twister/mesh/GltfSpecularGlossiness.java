@@ -39,13 +39,13 @@ final class GltfSpecularGlossiness {
             double mixed = ofDiffuse + part * (ofSpecular - ofDiffuse);
             color[channel] = GltfMaterials.unit(mapped || metallic == 0 ? diffuse[channel] : mixed);
         }
-        return Material.DEFAULT
+        Material plain = Material.DEFAULT
                 .withColor(new Rgb(color[0], color[1], color[2]))
                 .withAlpha(new Alpha(Alpha.Mode.OPAQUE, GltfMaterials.unit(diffuse[3]), Alpha.OPAQUE.cutoff()))
                 .withMetallic(metallic)
                 .withRoughness(mapped ? 1 : 1 - glossiness)
-                .withTexture(texture.map(ImageMap::file))
                 .withMaps(Maps.NONE.withTexture(texture.map(ImageMap::sampler).orElse(Sampler.DEFAULT)));
+        return Given.with(plain, texture.map(ImageMap::file), Material::withTexture);
     }
 
     private static double luminance(double[] color) {

@@ -13,13 +13,27 @@ import java.util.Map;
  * @param embeddedImages PNG or JPEG data in the file, by the texture path of the parts' materials: the file's own path,
  *     followed by the image's number
  * @param degenerateTriangles number of dropped triangles without area
+ * @param surroundings the lights and cameras of a glTF file's scene
  */
 public record MeshFile(
-        List<TriangleMesh> meshes, List<MeshPart> parts, Map<Path, byte[]> embeddedImages, int degenerateTriangles) {
+        List<TriangleMesh> meshes,
+        List<MeshPart> parts,
+        Map<Path, byte[]> embeddedImages,
+        int degenerateTriangles,
+        FileSurroundings surroundings) {
     public MeshFile {
         meshes = List.copyOf(meshes);
         parts = List.copyOf(parts);
         embeddedImages = Map.copyOf(embeddedImages);
+    }
+
+    /** Without lights and cameras. */
+    public MeshFile(
+            List<TriangleMesh> meshes,
+            List<MeshPart> parts,
+            Map<Path, byte[]> embeddedImages,
+            int degenerateTriangles) {
+        this(meshes, parts, embeddedImages, degenerateTriangles, FileSurroundings.NONE);
     }
 
     /** The box around all parts. */

@@ -2,6 +2,7 @@ package dev.twister.mesh;
 
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Triangles;
 import dev.twister.scene.Vector3;
@@ -18,9 +19,9 @@ public final class MeshPlacement {
      * (positive from x to y), pitch, yaw, translation.
      */
     public static Affine of(Mesh mesh) {
-        double pitch = Math.toRadians(mesh.rotation().x());
-        double yaw = Math.toRadians(mesh.rotation().y());
-        double roll = Math.toRadians(mesh.rotation().z());
+        double pitch = Math.toRadians(mesh.rotation().pitchDegrees());
+        double yaw = Math.toRadians(mesh.rotation().yawDegrees());
+        double roll = Math.toRadians(mesh.rotation().rollDegrees());
         Affine rolled = new Affine(
                 new Vector3(Math.cos(roll), Math.sin(roll), 0),
                 new Vector3(-Math.sin(roll), Math.cos(roll), 0),
@@ -46,18 +47,18 @@ public final class MeshPlacement {
     }
 
     /**
-     * The angles of a rotation in degrees, as {@link Mesh#rotation} has them: pitch as x, yaw as y, roll as z.
+     * The angles of a rotation.
      *
      * @param turn a rotation about the origin
      */
-    static Vector3 angles(Affine turn) {
+    static Rotation angles(Affine turn) {
         double sine = Math.clamp(-turn.axisZ().y(), -1, 1);
         boolean upright = Math.abs(sine) < STEEP;
         double yaw = upright
                 ? Math.atan2(turn.axisZ().x(), turn.axisZ().z())
                 : Math.atan2(-turn.axisX().z(), turn.axisX().x());
         double roll = upright ? Math.atan2(turn.axisX().y(), turn.axisY().y()) : 0;
-        return new Vector3(Math.toDegrees(Math.asin(sine)), Math.toDegrees(yaw), Math.toDegrees(roll));
+        return new Rotation(Math.toDegrees(yaw), Math.toDegrees(Math.asin(sine)), Math.toDegrees(roll));
     }
 
     private static Vector3 stretch(Mesh mesh) {

@@ -1,7 +1,7 @@
 package dev.twister.mesh;
 
 import dev.twister.scene.Mesh;
-import dev.twister.scene.Vector3;
+import dev.twister.scene.Rotation;
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -9,11 +9,11 @@ import java.util.Optional;
  * How a mesh stands, before anything is said of its place.
  *
  * @param up the axis of the file that points up; empty for the one of its format
- * @param rotation applied then, in degrees: pitch as x, yaw as y, roll as z
+ * @param rotation applied then
  */
-public record MeshPose(Optional<Up> up, Vector3 rotation) {
+public record MeshPose(Optional<Up> up, Rotation rotation) {
     /** As the file has it. */
-    public static final MeshPose OF_FILE = new MeshPose(Optional.empty(), Vector3.ZERO);
+    public static final MeshPose OF_FILE = new MeshPose(Optional.empty(), Rotation.NONE);
 
     private static final double QUARTER_TURN = 90;
 
@@ -24,12 +24,12 @@ public record MeshPose(Optional<Up> up, Vector3 rotation) {
     }
 
     /** The rotation of the mesh in a scene, as {@link Mesh#rotation}. */
-    Vector3 rotation(Path file) {
+    Rotation rotation(Path file) {
         double pitch = up.map(axis -> pitch(axis, MeshReader.hasZUp(file))).orElse(0.0);
         if (pitch == 0) {
             return rotation;
         }
-        return MeshPlacement.angles(turn(file, rotation).of(turn(file, new Vector3(pitch, 0, 0))));
+        return MeshPlacement.angles(turn(file, rotation).of(turn(file, Rotation.NONE.withPitchDegrees(pitch))));
     }
 
     private static double pitch(Up wanted, boolean zUp) {
@@ -38,7 +38,7 @@ public record MeshPose(Optional<Up> up, Vector3 rotation) {
         return wanted == Up.Z ? toZ : toY;
     }
 
-    private static Affine turn(Path file, Vector3 angles) {
+    private static Affine turn(Path file, Rotation angles) {
         return MeshPlacement.of(Mesh.of(file).withRotation(angles));
     }
 }

@@ -29,7 +29,7 @@ public final class MeshReader {
      */
     public static MeshFile read(Geometry geometry, double smoothDegrees, Consumer<String> warnings) {
         return switch (geometry) {
-            case Geometry.OfFile(Path path) -> read(path, smoothDegrees, warnings);
+            case Geometry.OfFile file -> read(file, smoothDegrees, warnings);
             case Shape basis -> ShapeMaker.file(basis);
             case Triangles triangles -> TrianglesOfCode.file(triangles, smoothDegrees);
         };
@@ -47,11 +47,16 @@ public final class MeshReader {
      * @throws MeshException if the file does not exist, is not in one of these formats, is damaged or too large
      */
     public static MeshFile read(Path file, double smoothDegrees, Consumer<String> warnings) {
+        return read(new Geometry.OfFile(file), smoothDegrees, warnings);
+    }
+
+    private static MeshFile read(Geometry.OfFile source, double smoothDegrees, Consumer<String> warnings) {
+        Path file = source.path();
         String name = Shown.path(file);
         try {
             InputFile.check(file);
             try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
-                return read(file, Bytes.of(file, channel), smoothDegrees, new Warnings(name, warnings));
+                return read(source, Bytes.of(file, channel), smoothDegrees, new Warnings(name, warnings));
             }
         } catch (ClosedByInterruptException canceled) {
             throw new MeshException(name + ": reading was canceled", canceled);
@@ -73,7 +78,9 @@ public final class MeshReader {
         }
     }
 
-    private static MeshFile read(Path file, Bytes bytes, double smoothDegrees, Warnings warnings) throws IOException {
+    private static MeshFile read(Geometry.OfFile source, Bytes bytes, double smoothDegrees, Warnings warnings)
+            throws IOException {
+        Path file = source.path();
         if (bytes.length() == 0) {
             throw bytes.failure("an empty file");
         }
@@ -83,8 +90,13 @@ public final class MeshReader {
         if (bytes.startsWith(GitLfs.START)) {
             throw bytes.failure(GitLfs.PROBLEM);
         }
-        MeshFile content = switch (format(file, bytes)) {
-            case GLTF -> new GltfReader(file, bytes, smoothDegrees, warnings).read();
+        Format format = format(file, bytes);
+        if (!source.scene().isEmpty() && format != Format.GLTF) {
+            throw bytes.failure("has no scenes, but the scene " + Shown.text(source.scene())
+                    + " is asked for; only glTF files have several");
+        }
+        MeshFile content = switch (format) {
+            case GLTF -> new GltfReader(source, bytes, smoothDegrees, warnings).read();
             case OBJ -> new ObjReader(file, bytes, smoothDegrees, warnings).read();
             case PLY -> new PlyReader(file, bytes, smoothDegrees, warnings).read();
             case STL -> new StlReader(bytes, smoothDegrees, warnings).read();

@@ -1,6 +1,7 @@
 package dev.twister.mesh;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
@@ -49,16 +50,17 @@ public final class MeshStage {
     }
 
     /**
-     * The scene for a mesh.
+     * The scene for a mesh. The lights of the file replace the stage's own, its cameras are views.
      *
-     * @param file the mesh file
+     * @param source the mesh file
      * @param held its content
      * @param skybox the panorama's file
      * @param pose how the mesh stands
      * @throws MeshException if the mesh cannot be scaled so far
      */
-    public static Scene of(Path file, MeshFile held, Path skybox, MeshPose pose) {
-        Mesh turned = Mesh.of(file).withRotation(pose.rotation(file));
+    public static Scene of(Geometry.OfFile source, MeshFile held, Path skybox, MeshPose pose) {
+        Path file = source.path();
+        Mesh turned = Mesh.of(source).withRotation(pose.rotation(file));
         Box bounds = held.bounds(MeshPlacement.of(turned));
         Vector3 half = bounds.half();
         double largest = 2 * Math.max(half.x(), Math.max(half.y(), half.z()));
@@ -78,12 +80,16 @@ public final class MeshStage {
                 -distance * Math.sin(yaw) * Math.cos(pitch),
                 scale * half.y() + distance * Math.sin(pitch),
                 -distance * Math.cos(yaw) * Math.cos(pitch));
+        Mesh mesh = turned.withScale(scale).withPosition(place).withSmoothDegrees(SMOOTH_DEGREES);
+        FileSurroundings around = held.surroundings().placed(MeshPlacement.of(mesh));
+        StageLights lights = new StageLights(new Vector3(0, scale * half.y(), 0), LARGEST_SIDE / 2);
         return Scene.under(skybox)
                 .withTitle(Title.NONE.withName(file.getFileName().toString()))
                 .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
-                .withLights(Lights.of(LIGHT))
-                .withRendering(Rendering.DEFAULT.withShadows(SHADOW_SAMPLES))
+                .withViews(around.cameras().stream().map(FileCamera::view).toList())
+                .withLights(around.lights().isEmpty() ? Lights.of(LIGHT) : lights.of(around.lights(), scale))
+                .withRendering(Rendering.DEFAULT.withShadowSamples(SHADOW_SAMPLES))
                 .withGround(Ground.of(PLANE_SIZE, PLANE_HEIGHT, BRIGHT, DARK, 0))
-                .withMeshes(List.of(turned.withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES)));
+                .withMeshes(List.of(mesh));
     }
 }

@@ -35,18 +35,18 @@ final class MtlMaterial {
         double transmission = glass && through == 0 ? 1 : through;
         // A surface that only fades, without an index of refraction, must not bend the light.
         double index = ior.orElse(glass || transmission == 0 ? Material.DEFAULT.ior() : 1.0);
-        return Material.DEFAULT
+        Material plain = Material.DEFAULT
                 .withColor(transmission > 0 ? tint(glass) : diffuse)
                 .withReflectivity(isPhysical() ? 0 : reflectivity())
                 .withRoughness(Math.clamp(roughness.orElse(isPhysical() ? 1.0 : 0.0), 0.0, 1.0))
                 .withMetallic(Math.clamp(metallic.orElse(maps.metallic().isPresent() ? 1.0 : 0.0), 0.0, 1.0))
                 .withTransmission(transmission)
                 .withIor(Math.clamp(index, 1.0, 4.0))
-                .withTexture(texture.map(ImageMap::file))
                 .withEmission(Emission.NONE.withColor(
                         maps.emission().isPresent() && greatest(emission) == 0 ? new Rgb(1, 1, 1) : emission))
                 .withAlpha(maps.alpha().isPresent() ? Alpha.OPAQUE.withMode(Alpha.Mode.BLEND) : Alpha.OPAQUE)
                 .withMaps(maps.withTexture(texture.map(ImageMap::sampler).orElse(Sampler.DEFAULT)));
+        return Given.with(plain, texture.map(ImageMap::file), Material::withTexture);
     }
 
     /** MeshLab writes {@code Tr 1} for what is opaque, which would be invisible. */

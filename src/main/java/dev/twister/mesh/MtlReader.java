@@ -1,6 +1,7 @@
 package dev.twister.mesh;
 
 import dev.twister.scene.ImageMap;
+import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sampler;
@@ -12,6 +13,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiFunction;
 
 /** Reads the materials of an MTL file. */
 final class MtlReader {
@@ -92,18 +94,21 @@ final class MtlReader {
             case "Pr" -> material.roughness = Optional.of(number());
             case "Pm" -> material.metallic = Optional.of(number());
             case "map_Kd" -> material.texture = texture(text.rest());
-            case "map_Ke" -> material.maps = material.maps.withEmission(texture(text.rest()));
-            case "map_d" -> material.maps = material.maps.withAlpha(texture(text.rest()));
-            case "map_Bump", "map_bump", "bump", "norm" ->
-                material.maps = material.maps.withNormal(texture(text.rest()));
-            case "map_Pr" -> material.maps = material.maps.withRoughness(texture(text.rest()));
-            case "map_Pm" -> material.maps = material.maps.withMetallic(texture(text.rest()));
+            case "map_Ke" -> material.maps = mapped(material.maps, Maps::withEmission);
+            case "map_d" -> material.maps = mapped(material.maps, Maps::withAlpha);
+            case "map_Bump", "map_bump", "bump", "norm" -> material.maps = mapped(material.maps, Maps::withNormal);
+            case "map_Pr" -> material.maps = mapped(material.maps, Maps::withRoughness);
+            case "map_Pm" -> material.maps = mapped(material.maps, Maps::withMetallic);
             default -> {
                 if (!UNUSED.contains(keyword)) {
                     warnings.add("material library: " + Shown.text(keyword) + " is not read");
                 }
             }
         }
+    }
+
+    private Maps mapped(Maps maps, BiFunction<Maps, ImageMap, Maps> wither) throws IOException {
+        return Given.with(maps, texture(text.rest()), wither);
     }
 
     private Optional<Rgb> color() throws IOException {

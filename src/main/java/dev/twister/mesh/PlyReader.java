@@ -46,7 +46,7 @@ final class PlyReader {
                 ? TextureFiles.beside(file, header.texture().get(), warnings)
                 : Optional.empty();
         return MeshAssembly.assemble(soup, Axes.Y_UP, smoothDegrees)
-                .file("", bytes, Material.DEFAULT.withTexture(texture));
+                .file("", bytes, Given.with(Material.DEFAULT, texture, Material::withTexture));
     }
 
     private void check(Element element, boolean binary, PlyValues values) {

@@ -63,9 +63,9 @@ final class MotionDigest {
                 add(light.position());
                 add(light.radius());
             }
-            case Mesh mesh when mesh.smoothDegrees() != 0 -> add(mesh.withSmooth(0));
+            case Mesh mesh when mesh.smoothDegrees() != 0 -> add(mesh.withSmoothDegrees(0));
             // Digests of scenes with files alone stay the same.
-            case Geometry.OfFile(Path path) -> add(path);
+            case Geometry.OfFile(Path path, String chosen) when chosen.isEmpty() -> add(path);
             case Record record -> {
                 addText(record.getClass().getSimpleName());
                 parts.of(record).forEach(this::add);

@@ -9,7 +9,6 @@ import dev.twister.scene.Vector3;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
@@ -150,9 +149,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     private static List<Mesh> places(Scene scene) {
-        return scene.meshes().stream()
-                .map(mesh -> mesh.withMaterial(Optional.empty()))
-                .toList();
+        return scene.meshes().stream().map(Mesh::withoutMaterial).toList();
     }
 
     private static boolean movesAlike(Scene one, Scene other) {

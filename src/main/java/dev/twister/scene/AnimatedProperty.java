@@ -38,7 +38,11 @@ public record AnimatedProperty<T>(
                             material.withEmission(material.emission().withStrength(strength))));
 
     public static final List<AnimatedProperty<Camera>> CAMERA = List.of(
-            number("fieldOfView", SceneLimits.FIELD_OF_VIEW, Camera::fieldOfViewDegrees, Camera::withFieldOfView),
+            number(
+                    "fieldOfView",
+                    SceneLimits.FIELD_OF_VIEW,
+                    Camera::fieldOfViewDegrees,
+                    Camera::withFieldOfViewDegrees),
             number("aperture", SceneLimits.APERTURE, Camera::aperture, Camera::withAperture),
             number("focusDistance", SceneLimits.FOCUS_DISTANCE, Camera::focusDistance, Camera::withFocusDistance));
 
@@ -50,7 +54,7 @@ public record AnimatedProperty<T>(
                     "strength",
                     SceneLimits.LIGHT_STRENGTH,
                     light -> light.strength().orElse(1.0),
-                    (light, strength) -> light.withStrength(Optional.of(strength))),
+                    (light, strength) -> light.withStrength(strength)),
             number("share", SceneLimits.LIGHT_SHARE, Light::share, Light::withShare));
 
     /** The plane cannot emit. */
@@ -76,19 +80,17 @@ public record AnimatedProperty<T>(
                                     3,
                                     SceneLimits.ROTATION,
                                     mesh -> List.of(
-                                            mesh.rotation().y(),
-                                            mesh.rotation().x(),
-                                            mesh.rotation().z()),
+                                            mesh.rotation().yawDegrees(),
+                                            mesh.rotation().pitchDegrees(),
+                                            mesh.rotation().rollDegrees()),
                                     (mesh, turn) ->
-                                            mesh.withRotation(new Vector3(turn.get(1), turn.get(0), turn.get(2)))),
+                                            mesh.withRotation(new Rotation(turn.get(0), turn.get(1), turn.get(2)))),
                             number("scale", SceneLimits.SCALE, Mesh::scale, Mesh::withScale)),
-                    MATERIAL.stream()
-                            .map(property -> property.within(
-                                    Mesh::own, (mesh, material) -> mesh.withMaterial(Optional.of(material)))))
+                    MATERIAL.stream().map(property -> property.within(Mesh::own, Mesh::withMaterial)))
             .toList();
 
     public static final List<AnimatedProperty<Sky>> SKY = List.of(
-            number("rotation", SceneLimits.SKY_ROTATION, Sky::rotationDegrees, Sky::withRotation),
+            number("rotation", SceneLimits.SKY_ROTATION, Sky::rotationDegrees, Sky::withRotationDegrees),
             number("strength", SceneLimits.SKY_STRENGTH, Sky::strength, Sky::withStrength));
 
     public static final List<AnimatedProperty<Shading>> SHADING =

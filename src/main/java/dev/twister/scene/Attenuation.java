@@ -22,7 +22,7 @@ public record Attenuation(Rgb color, Optional<Double> distance) {
         return new Attenuation(newColor, distance);
     }
 
-    public Attenuation withDistance(Optional<Double> newDistance) {
-        return new Attenuation(color, newDistance);
+    public Attenuation withDistance(double newDistance) {
+        return new Attenuation(color, Optional.of(newDistance));
     }
 }

@@ -47,7 +47,10 @@ public record Camera(
 
     /** A camera whose other properties are the defaults; angles in degrees. */
     public static Camera of(Vector3 position, double yaw, double pitch, double fieldOfView) {
-        return DEFAULT.withPosition(position).withYaw(yaw).withPitch(pitch).withFieldOfView(fieldOfView);
+        return DEFAULT.withPosition(position)
+                .withYawDegrees(yaw)
+                .withPitchDegrees(pitch)
+                .withFieldOfViewDegrees(fieldOfView);
     }
 
     public Camera withPosition(Vector3 newPosition) {
@@ -55,17 +58,17 @@ public record Camera(
                 newPosition, yawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, focusDistance, keyframes);
     }
 
-    public Camera withYaw(double newYawDegrees) {
+    public Camera withYawDegrees(double newYawDegrees) {
         return new Camera(
                 position, newYawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, focusDistance, keyframes);
     }
 
-    public Camera withPitch(double newPitchDegrees) {
+    public Camera withPitchDegrees(double newPitchDegrees) {
         return new Camera(
                 position, yawDegrees, newPitchDegrees, fieldOfViewDegrees, aperture, focusDistance, keyframes);
     }
 
-    public Camera withFieldOfView(double newFieldOfViewDegrees) {
+    public Camera withFieldOfViewDegrees(double newFieldOfViewDegrees) {
         return new Camera(
                 position, yawDegrees, pitchDegrees, newFieldOfViewDegrees, aperture, focusDistance, keyframes);
     }

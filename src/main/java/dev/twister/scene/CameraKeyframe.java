@@ -49,19 +49,21 @@ public record CameraKeyframe(
         return new CameraKeyframe(seconds, newPosition, yawDegrees, pitchDegrees, fieldOfViewDegrees, focusDistance);
     }
 
-    public CameraKeyframe withYaw(double newYawDegrees) {
+    public CameraKeyframe withYawDegrees(double newYawDegrees) {
         return new CameraKeyframe(seconds, position, newYawDegrees, pitchDegrees, fieldOfViewDegrees, focusDistance);
     }
 
-    public CameraKeyframe withPitch(double newPitchDegrees) {
+    public CameraKeyframe withPitchDegrees(double newPitchDegrees) {
         return new CameraKeyframe(seconds, position, yawDegrees, newPitchDegrees, fieldOfViewDegrees, focusDistance);
     }
 
-    public CameraKeyframe withFieldOfView(Optional<Double> newFieldOfViewDegrees) {
-        return new CameraKeyframe(seconds, position, yawDegrees, pitchDegrees, newFieldOfViewDegrees, focusDistance);
+    public CameraKeyframe withFieldOfViewDegrees(double newFieldOfViewDegrees) {
+        return new CameraKeyframe(
+                seconds, position, yawDegrees, pitchDegrees, Optional.of(newFieldOfViewDegrees), focusDistance);
     }
 
-    public CameraKeyframe withFocusDistance(Optional<Double> newFocusDistance) {
-        return new CameraKeyframe(seconds, position, yawDegrees, pitchDegrees, fieldOfViewDegrees, newFocusDistance);
+    public CameraKeyframe withFocusDistance(double newFocusDistance) {
+        return new CameraKeyframe(
+                seconds, position, yawDegrees, pitchDegrees, fieldOfViewDegrees, Optional.of(newFocusDistance));
     }
 }

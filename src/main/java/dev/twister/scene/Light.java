@@ -46,8 +46,13 @@ public record Light(
         return new Light(position, radius, newColor, strength, share, group, tag);
     }
 
-    public Light withStrength(Optional<Double> newStrength) {
-        return new Light(position, radius, color, newStrength, share, group, tag);
+    public Light withStrength(double newStrength) {
+        return new Light(position, radius, color, Optional.of(newStrength), share, group, tag);
+    }
+
+    /** As bright in path tracing as without it. */
+    public Light withoutStrength() {
+        return new Light(position, radius, color, Optional.empty(), share, group, tag);
     }
 
     public Light withShare(double newShare) {

@@ -59,31 +59,35 @@ public record Maps(
         return new Maps(newTexture, emission, roughness, metallic, normal, occlusion, transmission, alpha);
     }
 
-    public Maps withEmission(Optional<ImageMap> newEmission) {
-        return new Maps(texture, newEmission, roughness, metallic, normal, occlusion, transmission, alpha);
+    public Maps withEmission(ImageMap newEmission) {
+        return new Maps(texture, Optional.of(newEmission), roughness, metallic, normal, occlusion, transmission, alpha);
     }
 
-    public Maps withRoughness(Optional<ImageMap> newRoughness) {
-        return new Maps(texture, emission, newRoughness, metallic, normal, occlusion, transmission, alpha);
+    public Maps withRoughness(ImageMap newRoughness) {
+        return new Maps(texture, emission, Optional.of(newRoughness), metallic, normal, occlusion, transmission, alpha);
     }
 
-    public Maps withMetallic(Optional<ImageMap> newMetallic) {
-        return new Maps(texture, emission, roughness, newMetallic, normal, occlusion, transmission, alpha);
+    public Maps withMetallic(ImageMap newMetallic) {
+        return new Maps(texture, emission, roughness, Optional.of(newMetallic), normal, occlusion, transmission, alpha);
     }
 
-    public Maps withNormal(Optional<ImageMap> newNormal) {
-        return new Maps(texture, emission, roughness, metallic, newNormal, occlusion, transmission, alpha);
+    public Maps withNormal(ImageMap newNormal) {
+        return new Maps(texture, emission, roughness, metallic, Optional.of(newNormal), occlusion, transmission, alpha);
     }
 
-    public Maps withOcclusion(Optional<ImageMap> newOcclusion) {
-        return new Maps(texture, emission, roughness, metallic, normal, newOcclusion, transmission, alpha);
+    public Maps withOcclusion(ImageMap newOcclusion) {
+        return new Maps(texture, emission, roughness, metallic, normal, Optional.of(newOcclusion), transmission, alpha);
     }
 
-    public Maps withTransmission(Optional<ImageMap> newTransmission) {
-        return new Maps(texture, emission, roughness, metallic, normal, occlusion, newTransmission, alpha);
+    public Maps withTransmission(ImageMap newTransmission) {
+        return new Maps(texture, emission, roughness, metallic, normal, occlusion, Optional.of(newTransmission), alpha);
     }
 
-    public Maps withAlpha(Optional<ImageMap> newAlpha) {
-        return new Maps(texture, emission, roughness, metallic, normal, occlusion, transmission, newAlpha);
+    public Maps withAlpha(ImageMap newAlpha) {
+        return new Maps(texture, emission, roughness, metallic, normal, occlusion, transmission, Optional.of(newAlpha));
+    }
+
+    public Maps withoutAlpha() {
+        return new Maps(texture, emission, roughness, metallic, normal, occlusion, transmission, Optional.empty());
     }
 }

@@ -156,7 +156,15 @@ public record Material(
                 unlit);
     }
 
-    public Material withTexture(Optional<Path> newTexture) {
+    public Material withTexture(Path newTexture) {
+        return textured(Optional.of(newTexture));
+    }
+
+    public Material withoutTexture() {
+        return textured(Optional.empty());
+    }
+
+    private Material textured(Optional<Path> newTexture) {
         return new Material(
                 color,
                 reflectivity,
@@ -262,7 +270,7 @@ public record Material(
 
     /** Without texture and maps, as on a mesh without texture coordinates. */
     public Material withoutImages() {
-        return withTexture(Optional.empty()).withMaps(Maps.NONE);
+        return withoutTexture().withMaps(Maps.NONE);
     }
 
     /** Whether, in path tracing, Fresnel's equations decide what it reflects: glTF's material, without reflectivity. */

@@ -6,11 +6,10 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * A body of triangles. It is scaled, then rolled about z, pitched about x (positive looks down) and turned about y
- * (positive looks right), then moved.
+ * A body of triangles. It is scaled, then turned, then moved.
  *
  * @param position where the origin of the file or the center of the shape comes to be, in meters
- * @param rotation in degrees: pitch as x, yaw as y, roll as z
+ * @param rotation about that origin or center
  * @param scale meters per unit of the file, above 0; a factor of a shape's size
  * @param smoothDegrees where a file has no normals: triangles whose planes meet at no larger angle are shaded as one
  *     smooth surface, in [0, 180]; 0 leaves every triangle flat
@@ -19,7 +18,7 @@ import java.util.Optional;
 public record Mesh(
         Geometry geometry,
         Vector3 position,
-        Vector3 rotation,
+        Rotation rotation,
         double scale,
         double smoothDegrees,
         Optional<Material> material,
@@ -27,7 +26,7 @@ public record Mesh(
         implements Body {
     /** As its file has it; has the values of the fields that a scene file leaves out. */
     public static final Mesh DEFAULT =
-            new Mesh(new Geometry.OfFile(Path.of("")), Vector3.ZERO, Vector3.ZERO, 1, 0, Optional.empty(), Tag.NONE);
+            new Mesh(new Geometry.OfFile(Path.of("")), Vector3.ZERO, Rotation.NONE, 1, 0, Optional.empty(), Tag.NONE);
 
     public Mesh {
         requireNonNull(geometry, "geometry");
@@ -55,7 +54,7 @@ public record Mesh(
     /** The file that it is read from; empty where there is none. */
     public Optional<Path> file() {
         return switch (geometry) {
-            case Geometry.OfFile(Path path) -> Optional.of(path);
+            case Geometry.OfFile(Path path, String _) -> Optional.of(path);
             case Shape _, Triangles _ -> Optional.empty();
         };
     }
@@ -74,7 +73,7 @@ public record Mesh(
         return new Mesh(geometry, newPosition, rotation, scale, smoothDegrees, material, tag);
     }
 
-    public Mesh withRotation(Vector3 newRotation) {
+    public Mesh withRotation(Rotation newRotation) {
         return new Mesh(geometry, position, newRotation, scale, smoothDegrees, material, tag);
     }
 
@@ -82,12 +81,17 @@ public record Mesh(
         return new Mesh(geometry, position, rotation, newScale, smoothDegrees, material, tag);
     }
 
-    public Mesh withSmooth(double newDegrees) {
-        return new Mesh(geometry, position, rotation, scale, newDegrees, material, tag);
+    public Mesh withSmoothDegrees(double newSmoothDegrees) {
+        return new Mesh(geometry, position, rotation, scale, newSmoothDegrees, material, tag);
     }
 
-    public Mesh withMaterial(Optional<Material> newMaterial) {
-        return new Mesh(geometry, position, rotation, scale, smoothDegrees, newMaterial, tag);
+    public Mesh withMaterial(Material newMaterial) {
+        return new Mesh(geometry, position, rotation, scale, smoothDegrees, Optional.of(newMaterial), tag);
+    }
+
+    /** Made of what its file says. */
+    public Mesh withoutMaterial() {
+        return new Mesh(geometry, position, rotation, scale, smoothDegrees, Optional.empty(), tag);
     }
 
     @Override

@@ -73,7 +73,7 @@ public record Rendering(
                 width, newHeight, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
     }
 
-    public Rendering withShadows(int newShadowSamples) {
+    public Rendering withShadowSamples(int newShadowSamples) {
         return new Rendering(
                 width, height, newShadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
     }

@@ -40,7 +40,7 @@ public final class SceneGenerator {
                 .withLights(Lights.of(light(new Vector3(-0.8 * reach, 1.6 * reach, -1.3 * reach), 0.12 * reach)))
                 .withGround(plane(4 * reach, new Rgb(0.62, 0.6, 0.56), new Rgb(0.4, 0.39, 0.38)))
                 .withSpheres(SphereMeadow.spheres(count, seed))
-                .withRendering(Rendering.DEFAULT.withShadows(32).withBounces(4));
+                .withRendering(Rendering.DEFAULT.withShadowSamples(32).withBounces(4));
     }
 
     private static Scene vortex(int count, long seed, Path skybox) {
@@ -54,7 +54,7 @@ public final class SceneGenerator {
                 .withLights(Lights.of(light(new Vector3(-0.7 * reach, 0.9 * reach, -0.5 * reach), 0.06 * reach)))
                 .withGround(plane(2.6 * reach, new Rgb(0.42, 0.42, 0.44), new Rgb(0.24, 0.24, 0.26)))
                 .withSpheres(spheres)
-                .withRendering(Rendering.DEFAULT.withShadows(16).withBounces(2));
+                .withRendering(Rendering.DEFAULT.withShadowSamples(16).withBounces(2));
     }
 
     // From in front of the spheres, so that the point at a height on the y axis is in the picture's middle.

@@ -24,7 +24,7 @@ public record Sky(Path file, double rotationDegrees, double strength) {
         return new Sky(newFile, rotationDegrees, strength);
     }
 
-    public Sky withRotation(double newRotationDegrees) {
+    public Sky withRotationDegrees(double newRotationDegrees) {
         return new Sky(file, newRotationDegrees, strength);
     }
 

@@ -59,8 +59,8 @@ public final class CameraMotion {
     /** Turns the camera by angles in degrees; yaw ends in [-180, 180), pitch in [-90, 90]. */
     public static Camera look(Camera camera, double rightDegrees, double downDegrees) {
         double yaw = camera.yawDegrees() + rightDegrees;
-        return camera.withYaw(yaw - FULL_TURN_DEGREES * Math.floor(yaw / FULL_TURN_DEGREES + 0.5))
-                .withPitch(SceneLimits.PITCH.clamp(camera.pitchDegrees() + downDegrees));
+        return camera.withYawDegrees(yaw - FULL_TURN_DEGREES * Math.floor(yaw / FULL_TURN_DEGREES + 0.5))
+                .withPitchDegrees(SceneLimits.PITCH.clamp(camera.pitchDegrees() + downDegrees));
     }
 
     /**
@@ -69,7 +69,7 @@ public final class CameraMotion {
      * @param notches of the mouse wheel, positive away from the user; may be fractional
      */
     public static Camera zoom(Camera camera, double notches) {
-        return camera.withFieldOfView(
+        return camera.withFieldOfViewDegrees(
                 SceneLimits.FIELD_OF_VIEW.clamp(camera.fieldOfViewDegrees() * Math.pow(ZOOM_OF_A_NOTCH, notches)));
     }
 

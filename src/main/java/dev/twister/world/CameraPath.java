@@ -32,9 +32,9 @@ public final class CameraPath {
                 curve.value(key -> key.position().y(), SceneLimits.POSITION),
                 curve.value(key -> key.position().z(), SceneLimits.POSITION));
         return camera.withPosition(position)
-                .withYaw(curve.value(CameraKeyframe::yawDegrees, SceneLimits.YAW))
-                .withPitch(curve.value(CameraKeyframe::pitchDegrees, SceneLimits.PITCH))
-                .withFieldOfView(curve.value(
+                .withYawDegrees(curve.value(CameraKeyframe::yawDegrees, SceneLimits.YAW))
+                .withPitchDegrees(curve.value(CameraKeyframe::pitchDegrees, SceneLimits.PITCH))
+                .withFieldOfViewDegrees(curve.value(
                         key -> key.fieldOfViewDegrees().orElse(camera.fieldOfViewDegrees()), SceneLimits.FIELD_OF_VIEW))
                 .withFocusDistance(curve.value(
                         key -> key.focusDistance().orElse(camera.focusDistance()), SceneLimits.FOCUS_DISTANCE));
@@ -65,7 +65,7 @@ public final class CameraPath {
                         SceneLimits.POSITION.clamp(x + right * cosine + ahead * sine),
                         from.y(),
                         SceneLimits.POSITION.clamp(z + ahead * cosine - right * sine)))
-                .withYaw(camera.yawDegrees() + FULL_TURN_DEGREES * part);
+                .withYawDegrees(camera.yawDegrees() + FULL_TURN_DEGREES * part);
     }
 
     /**

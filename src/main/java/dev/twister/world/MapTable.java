@@ -50,12 +50,7 @@ final class MapTable {
      * @throws IllegalArgumentException if a map is not among the images
      */
     int row(Material material) {
-        return row(new Row(
-                material.texture(),
-                material.maps().withAlpha(Optional.empty()),
-                Alpha.OPAQUE,
-                material.unlit(),
-                false));
+        return row(new Row(material.texture(), material.maps().withoutAlpha(), Alpha.OPAQUE, material.unlit(), false));
     }
 
     /** As above, for a mesh. */
@@ -69,9 +64,10 @@ final class MapTable {
             case MASK -> !varies && alpha.factor() >= alpha.cutoff();
             case BLEND -> !varies && alpha.factor() >= 1;
         };
+        Maps maps = material.maps();
         return row(new Row(
                 material.texture(),
-                material.maps().withAlpha(opaque ? Optional.empty() : opacity),
+                opacity.filter(_ -> !opaque).map(maps::withAlpha).orElseGet(maps::withoutAlpha),
                 opaque ? Alpha.OPAQUE : alpha,
                 material.unlit(),
                 mesh.vertexColors()));

@@ -15,7 +15,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
@@ -32,7 +31,7 @@ class DeviceCheckTest {
             List.of(SCENE, new CheckedScene("other", TestWorld.create())),
             new CheckedScene("timed", SCENE.world()));
 
-    private static final EngineOffer DEVICE = offer("tornado:9:9", Device::new).withDriver(Optional.of("1.2|3"));
+    private static final EngineOffer DEVICE = offer("tornado:9:9", Device::new).withDriver("1.2|3");
     private static final EngineOffer WRONG =
             offer("wrong", () -> new FakeEngine("wrong", 0xff808080, FrameTimes.onJvm(1)));
     private static final EngineOffer BROKEN = offer("broken", () -> {

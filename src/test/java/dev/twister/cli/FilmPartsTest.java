@@ -49,7 +49,7 @@ class FilmPartsTest {
         World world = World.of(scene, SceneImages.read(scene, _ -> {}));
         world.setSettings(scene.rendering()
                 .withSize(34, HEIGHT)
-                .withShadows(2)
+                .withShadowSamples(2)
                 .withBounces(2)
                 .withSamplesPerPixel(2));
         input = world.snapshot();

@@ -83,7 +83,7 @@ class RenderMeshTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-            benchmark | a.png | --up z | --up and --rotate are for mesh files
+            benchmark | a.png | --up z | --up, --rotate and --scene are for mesh files
             benchmark | a.exr | --background none | --background none needs a .png file
             benchmark | a.png | --background none --view normal | --background none needs a .png file
             benchmark | a.png | --background none --noise 0.1 | --background none excludes --noise

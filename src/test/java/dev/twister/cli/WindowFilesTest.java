@@ -109,7 +109,7 @@ class WindowFilesTest {
     private static Scene scene(String name) {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json").toAbsolutePath());
         return scene.withRendering(
-                scene.rendering().withSize(32, 18).withShadows(2).withSamplesPerPixel(3));
+                scene.rendering().withSize(32, 18).withShadowSamples(2).withSamplesPerPixel(3));
     }
 
     private static Scene withPath(Scene scene) {

@@ -165,7 +165,7 @@ class ConvergingPictureTest {
     private static FrameInput input(String scene) {
         LitScene small = ShippedScenes.small(scene);
         World world = World.of(small.scene(), small.images());
-        world.setSettings(small.scene().rendering().withSize(48, 27).withShadows(8));
+        world.setSettings(small.scene().rendering().withSize(48, 27).withShadowSamples(8));
         return world.snapshot();
     }
 }

@@ -139,7 +139,7 @@ class GuidesTest {
                 .rendering()
                 .withSize(48, 27)
                 .withIntegrator(integrator)
-                .withShadows(4)
+                .withShadowSamples(4)
                 .withSamplesPerPixel(2));
         return world.snapshot();
     }

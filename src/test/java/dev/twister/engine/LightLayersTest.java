@@ -16,7 +16,6 @@ import dev.twister.world.LightGroups;
 import dev.twister.world.World;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -107,7 +106,7 @@ class LightLayersTest {
 
     private static Lights darkBut(String group, Lights lights) {
         return new Lights(lights.list().stream()
-                .map(light -> light.group().equals(group) ? light : light.withStrength(Optional.of(0.0)))
+                .map(light -> light.group().equals(group) ? light : light.withStrength(0.0))
                 .toList());
     }
 
@@ -130,7 +129,7 @@ class LightLayersTest {
         return scene.withRendering(scene.rendering()
                 .withSize(48, 27)
                 .withIntegrator(integrator)
-                .withShadows(4)
+                .withShadowSamples(4)
                 .withSamplesPerPixel(8));
     }
 

@@ -60,7 +60,7 @@ class PixelCentersTest {
                 .withShading(new Shading(1))
                 .withRendering(Rendering.DEFAULT
                         .withSize(side, side)
-                        .withShadows(1)
+                        .withShadowSamples(1)
                         .withBounces(1)
                         .withSamplesPerPixel(samples));
     }

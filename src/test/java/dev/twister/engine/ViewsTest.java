@@ -158,7 +158,7 @@ class ViewsTest {
                 .withSpheres(List.of(spheres))
                 .withShading(new Shading(0.1))
                 .withRendering(
-                        Rendering.DEFAULT.withSize(1, 1).withBounces(bounces).withShadows(SHADOW_SAMPLES));
+                        Rendering.DEFAULT.withSize(1, 1).withBounces(bounces).withShadowSamples(SHADOW_SAMPLES));
         return Pictures.radiance(
                 JvmEngines.SEQUENTIAL, World.of(scene, SKY).snapshot().showing(picture))[0];
     }
@@ -179,7 +179,7 @@ class ViewsTest {
         return World.of(
                         scene.withRendering(scene.rendering()
                                 .withSize(64, 33)
-                                .withShadows(5)
+                                .withShadowSamples(5)
                                 .withBounces(2)
                                 .withSamplesPerPixel(samples)),
                         SkyboxReader.read(scene.sky().file()))

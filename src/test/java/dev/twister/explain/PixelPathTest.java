@@ -343,7 +343,7 @@ class PixelPathTest {
                         .withSize(1, 1)
                         .withBounces(bounces)
                         .withSamplesPerPixel(1)
-                        .withShadows(8));
+                        .withShadowSamples(8));
     }
 
     private static FrameInput input(LitScene lit, Rendering settings) {

@@ -60,7 +60,7 @@ class DiskAccessTest {
             driver.run(() -> driver.window.workbench().files().drop(List.of(other)));
             driver.await(() -> driver.studio.document().file().equals(other));
             driver.run(() -> driver.studio.edit(
-                    "shadows", scene -> scene.withRendering(scene.rendering().withShadows(1))));
+                    "shadows", scene -> scene.withRendering(scene.rendering().withShadowSamples(1))));
             driver.typeWith(KeyCode.S, KeyCode.CONTROL);
             driver.await(() -> !driver.studio.document().editsProperty().get().changed());
         } finally {

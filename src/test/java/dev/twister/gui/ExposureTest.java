@@ -108,7 +108,7 @@ class ExposureTest {
     void aBlackPictureHasNoExposure() {
         driver.run(() -> {
             driver.studio.edit("dark", scene -> scene.withSky(scene.sky().withStrength(0)));
-            driver.studio.moveCamera(camera -> camera.withPitch(-90));
+            driver.studio.moveCamera(camera -> camera.withPitchDegrees(-90));
         });
         driver.awaitCurrentPicture();
         Scene before = WindowDriver.call(driver.studio::scene);

@@ -75,7 +75,7 @@ class FilesTest {
             driver.studio.show(driver.studio.assets().readScene(scene));
             driver.files.chooseNothing();
             driver.studio.edit(
-                    "shadows", now -> now.withRendering(now.rendering().withShadows(1)));
+                    "shadows", now -> now.withRendering(now.rendering().withShadowSamples(1)));
             SceneHistory.Version saved = driver.studio.document().toSave();
             SceneWriter.write(saved.scene(), scene);
             driver.studio.document().saved(saved, new EditedFile(scene, FileMark.of(scene)));

@@ -235,7 +235,7 @@ class FilmTest {
         assertThat(seconds()).isZero();
         show(film);
         driver.run(() -> {
-            driver.studio.moveCamera(camera -> camera.withYaw(90));
+            driver.studio.moveCamera(camera -> camera.withYawDegrees(90));
             driver.studio.hand().recallView(1);
         });
         assertThat(camera()).isEqualTo(film.camera());

@@ -17,6 +17,7 @@ import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Vector3;
@@ -81,12 +82,12 @@ class MeshesTest {
     /** Two vases on the plane before the camera. */
     private static Scene scene() {
         Scene tiny = WindowScenes.tiny();
-        Mesh vase = Mesh.of(VASE).withSmooth(40);
+        Mesh vase = Mesh.of(VASE).withSmoothDegrees(40);
         return tiny.withSpheres(tiny.spheres().subList(0, 1))
                 .withCamera(tiny.camera()
                         .withPosition(new Vector3(0, 1, -6))
-                        .withYaw(0)
-                        .withPitch(0))
+                        .withYawDegrees(0)
+                        .withPitchDegrees(0))
                 .withMeshes(List.of(vase.withPosition(new Vector3(-1, 0, 0)), vase.withPosition(new Vector3(1, 0, 0))));
     }
 
@@ -212,7 +213,7 @@ class MeshesTest {
             assertThat(undoable()).isEqualTo("mesh " + axis);
         }
         assertThat(mesh(SECOND).position()).isEqualTo(new Vector3(1.5, 1.5, 1.5));
-        assertThat(mesh(SECOND).rotation()).isEqualTo(new Vector3(1.5, 1.5, 1.5));
+        assertThat(mesh(SECOND).rotation()).isEqualTo(new Rotation(1.5, 1.5, 1.5));
         assertThat(mesh(SECOND).scale()).isEqualTo(1.5);
         assertThat(mesh(FIRST)).isEqualTo(scene().meshes().getFirst());
         for (int edit = 0; edit < 7; edit++) {

@@ -281,7 +281,7 @@ class PhysicsTest {
         driver.type(KeyCode.F5);
         driver.awaitPicture(shown -> shown.request().motion().isOn() && height(shown) < HEIGHT - 0.5);
         // The camera is part of the scene.
-        driver.run(() -> driver.studio.moveCamera(camera -> camera.withYaw(1)));
+        driver.run(() -> driver.studio.moveCamera(camera -> camera.withYawDegrees(1)));
         driver.pulse();
         assertThat(Double.parseDouble(WindowDriver.call(field::getText))).isEqualTo(HEIGHT);
         assertThat(WindowDriver.call(field::getSelection).getLength()).isOne();

@@ -63,8 +63,8 @@ class RenderWindowTest {
     void rendersAFilmOfTheKeyframesWithAllItsFrames() {
         Scene scene = WindowScenes.tiny().withSpheres(List.of());
         Camera camera = scene.camera();
-        Scene moving = scene.withCamera(
-                camera.withKeyframes(List.of(CameraKeyframe.of(0, camera), CameraKeyframe.of(2, camera.withYaw(30)))));
+        Scene moving = scene.withCamera(camera.withKeyframes(
+                List.of(CameraKeyframe.of(0, camera), CameraKeyframe.of(2, camera.withYawDegrees(30)))));
         try (WindowDriver driver = open(moving, JvmEngines.parallel())) {
             driver.files.choose(folder.resolve("film-####.png"));
             choose(driver, "render-film");

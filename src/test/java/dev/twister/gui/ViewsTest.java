@@ -71,12 +71,12 @@ class ViewsTest {
     @Test
     void enterAndADoubleClickGoToAView() {
         CameraView view = add();
-        driver.run(() -> driver.studio.moveCamera(camera -> camera.withYaw(80)));
+        driver.run(() -> driver.studio.moveCamera(camera -> camera.withYawDegrees(80)));
         driver.run(() -> list().requestFocus());
         driver.type(KeyCode.ENTER);
         assertThat(scene().camera()).isEqualTo(view.camera());
 
-        driver.run(() -> driver.studio.moveCamera(camera -> camera.withYaw(80)));
+        driver.run(() -> driver.studio.moveCamera(camera -> camera.withYawDegrees(80)));
         driver.run(() -> driver.window.workbench().panel().scrollTo(list()));
         Point2D place = WindowDriver.call(() -> cell(0).localToScreen(20, 5));
         driver.withRobot(robot -> {
@@ -110,7 +110,7 @@ class ViewsTest {
     @Test
     void updatePutsAViewWhereTheCameraIs() {
         add();
-        driver.run(() -> driver.studio.moveCamera(camera -> camera.withYaw(80)));
+        driver.run(() -> driver.studio.moveCamera(camera -> camera.withYawDegrees(80)));
         press("update");
 
         assertThat(scene().views().getFirst().camera()).isEqualTo(scene().camera());

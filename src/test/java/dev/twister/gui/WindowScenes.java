@@ -20,6 +20,6 @@ public final class WindowScenes {
     /** The same with hard shadows, one reflection and one sample. */
     public static Scene quick(Scene scene) {
         return scene.withRendering(
-                scene.rendering().withShadows(1).withBounces(1).withSamplesPerPixel(1));
+                scene.rendering().withShadowSamples(1).withBounces(1).withSamplesPerPixel(1));
     }
 }

@@ -7,6 +7,7 @@ import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
@@ -23,7 +24,7 @@ import org.junit.jupiter.api.Test;
 class CoincidenceTest {
     private static final int RAYS = 2000;
     private static final double BELOW = -20;
-    private static final Vector3 TILTED = new Vector3(17, 40, 65);
+    private static final Rotation TILTED = new Rotation(40, 17, 65);
     private static final Path SQUARE = Path.of("square");
     private static final Path TRIANGLE = Path.of("triangle");
     private static final Path DOUBLE = Path.of("double");
@@ -68,7 +69,7 @@ class CoincidenceTest {
 
     @Test
     void planeIsSeenBelowAMeshOnIt() {
-        FrameInput input = input(List.of(placed(SQUARE, Vector3.ZERO, 0)), 0);
+        FrameInput input = input(List.of(placed(SQUARE, Rotation.NONE, 0)), 0);
         for (int ray = 0; ray < RAYS; ray++) {
             assertThat(seen(input)).isEqualTo(Layout.PLANE);
         }
@@ -76,7 +77,8 @@ class CoincidenceTest {
 
     @Test
     void closerOfTwoParallelFacesIsSeen() {
-        FrameInput input = input(List.of(placed(SQUARE, Vector3.ZERO, 0), placed(TRIANGLE, Vector3.ZERO, 1e-3)), BELOW);
+        FrameInput input =
+                input(List.of(placed(SQUARE, Rotation.NONE, 0), placed(TRIANGLE, Rotation.NONE, 1e-3)), BELOW);
         for (int ray = 0; ray < RAYS; ray++) {
             int body = seen(input);
             int upper = path[Layout.ORIGIN + 1] > 0f ? 1 : 0;
@@ -84,7 +86,7 @@ class CoincidenceTest {
         }
     }
 
-    private static Mesh placed(Path file, Vector3 rotation, double height) {
+    private static Mesh placed(Path file, Rotation rotation, double height) {
         return Mesh.of(file).withPosition(new Vector3(0, height, 0)).withRotation(rotation);
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.mesh.TriangleMesh;
 import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
@@ -107,7 +108,7 @@ class MeshHitTest {
     private static Mesh mesh(Random random) {
         return Mesh.of(Path.of("mesh"))
                 .withPosition(new Vector3(between(random, 9), between(random, 9), between(random, 9)))
-                .withRotation(new Vector3(between(random, 90), between(random, 180), between(random, 180)))
+                .withRotation(new Rotation(between(random, 180), between(random, 90), between(random, 180)))
                 .withScale(Math.pow(10, between(random, 2)));
     }
 

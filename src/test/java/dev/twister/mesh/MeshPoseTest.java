@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -33,7 +34,7 @@ class MeshPoseTest {
     @CsvSource({"a.obj, Z, 3", "a.obj, Y, 0", "a.obj, , 0", "a.stl, Z, 3", "a.stl, Y, 0", "a.stl, , 3"})
     void thatAxisPointsUp(String name, MeshPose.Up up, double height) {
         MeshFile file = Reading.read(folder, name, name.endsWith(".stl") ? STL : OBJ);
-        MeshPose pose = new MeshPose(Optional.ofNullable(up), Vector3.ZERO);
+        MeshPose pose = new MeshPose(Optional.ofNullable(up), Rotation.NONE);
 
         Box box = file.bounds(turn(pose.rotation(folder.resolve(name))));
 
@@ -45,24 +46,26 @@ class MeshPoseTest {
     void isRotatedAfterThat() {
         Path file = folder.resolve("a.obj");
         Reading.read(folder, "a.obj", OBJ);
-        Vector3 rotation = new Vector3(20, 130, -40);
+        Rotation rotation = new Rotation(130, 20, -40);
         Vector3 point = new Vector3(0.3, -1.2, 0.7);
 
-        Vector3 whole = new MeshPose(Optional.of(MeshPose.Up.Z), rotation).rotation(file);
+        Rotation whole = new MeshPose(Optional.of(MeshPose.Up.Z), rotation).rotation(file);
 
-        Vector3 expected = turn(rotation).point(turn(new Vector3(90, 0, 0)).point(point));
+        Vector3 expected = turn(rotation).point(turn(new Rotation(0, 90, 0)).point(point));
         assertThat(turn(whole).point(point).minus(expected).length()).isLessThan(1e-12);
     }
 
     @ParameterizedTest
     @CsvSource({"10, 20, 30", "-89, 170, -170", "90, 45, 0", "-90, -120, 0", "0, 0, 180"})
     void anglesAreThoseOfTheRotation(double pitch, double yaw, double roll) {
-        Vector3 angles = new Vector3(pitch, yaw, roll);
+        Rotation angles = MeshPlacement.angles(turn(new Rotation(yaw, pitch, roll)));
 
-        assertThat(MeshPlacement.angles(turn(angles)).minus(angles).length()).isLessThan(1e-6);
+        assertThat(angles.yawDegrees()).isCloseTo(yaw, within(1e-6));
+        assertThat(angles.pitchDegrees()).isCloseTo(pitch, within(1e-6));
+        assertThat(angles.rollDegrees()).isCloseTo(roll, within(1e-6));
     }
 
-    private static Affine turn(Vector3 rotation) {
+    private static Affine turn(Rotation rotation) {
         return MeshPlacement.of(Mesh.of(Path.of("a")).withRotation(rotation));
     }
 }

@@ -3,6 +3,7 @@ package dev.twister.mesh;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Scene;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -31,6 +32,9 @@ class MeshStageTest {
     private Scene stage(String half) {
         String text = "v -%1$s 0 0\nv %1$s 0 0\nv 0 %1$s 0\nf 1 2 3\n".formatted(half);
         return MeshStage.of(
-                folder.resolve("a.obj"), Reading.read(folder, "a.obj", text), Path.of("sky.hdr"), MeshPose.OF_FILE);
+                new Geometry.OfFile(folder.resolve("a.obj")),
+                Reading.read(folder, "a.obj", text),
+                Path.of("sky.hdr"),
+                MeshPose.OF_FILE);
     }
 }

@@ -103,7 +103,7 @@ class MotionFileTest {
     @Test
     void takesTheSceneWithAnotherCameraAndLight() throws IOException {
         record(0, 1);
-        Scene edited = SCENE.withCamera(SCENE.camera().withYaw(50)).withShading(new Shading(0.9));
+        Scene edited = SCENE.withCamera(SCENE.camera().withYawDegrees(50)).withShading(new Shading(0.9));
 
         try (MotionFile motion = MotionFile.open(file, edited)) {
             assertThat(motion.lastFrame()).isZero();

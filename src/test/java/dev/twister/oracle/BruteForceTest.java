@@ -84,7 +84,7 @@ class BruteForceTest {
                 .with(List.of(
                         Light.of(new Vector3(2.5, 3, -2), 0.8, new Rgb(0.2, 0.6, 0.3)),
                         Light.of(new Vector3(1.2, 0.5, -1), 0.4, new Rgb(0.9, 0.1, 0.2))
-                                .withStrength(Optional.of(2.0))));
+                                .withStrength(2.0)));
         requireMeans("three lights", new LitScene(lit.scene().withLights(lights), lit.images(), lit.meshes()));
     }
 
@@ -105,8 +105,7 @@ class BruteForceTest {
         Mesh plate = Mesh.of(file)
                 .withPosition(new Vector3(1.6, 1, 0.5))
                 .withScale(0.5)
-                .withMaterial(
-                        Optional.of(WHITE.withEmission(new Emission(new Rgb(2, 1, 0.5), 1, false, LightGroup.NONE))));
+                .withMaterial(WHITE.withEmission(new Emission(new Rgb(2, 1, 0.5), 1, false, LightGroup.NONE)));
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0, 1.2, -4), 0, 8, 45))
                 .withLights(Lights.of(Light.of(new Vector3(-3, 4, -1), 1.5, new Rgb(0.6, 0.5, 0.4))))

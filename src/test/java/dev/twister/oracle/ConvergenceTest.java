@@ -79,6 +79,7 @@ class ConvergenceTest {
                 .withSpheres(List.of(
                         Sphere.of(new Vector3(-0.9, 1, 0), 1, material),
                         Sphere.of(new Vector3(1.1, 0.8, 0.5), 0.8, material)))
-                .withRendering(Rendering.DEFAULT.withSize(32, 24).withShadows(1).withBounces(3));
+                .withRendering(
+                        Rendering.DEFAULT.withSize(32, 24).withShadowSamples(1).withBounces(3));
     }
 }

@@ -18,7 +18,7 @@ public final class Crowds {
         Skybox sky = RandomSkies.sky(new Random(11));
         World world = World.of(scene, sky);
         world.setSettings(
-                Rendering.DEFAULT.withSize(width, height).withShadows(16).withBounces(3));
+                Rendering.DEFAULT.withSize(width, height).withShadowSamples(16).withBounces(3));
         return world;
     }
 }

@@ -29,7 +29,6 @@ import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,10 +44,10 @@ class MapPicturesTest {
     private static final Path TEXTURE = Path.of("texture.png");
     private static final Skybox SKY =
             new Skybox(2, 2, new float[] {0.2f, 0.4f, 0.9f, 0.9f, 0.5f, 0.2f, 0.3f, 0.3f, 0.3f, 0.1f, 0.2f, 0.1f});
-    private static final Optional<ImageMap> MAP = Optional.of(ImageMap.of(IMAGE));
+    private static final ImageMap MAP = ImageMap.of(IMAGE);
     private static final Material MATTE = Material.DEFAULT.withColor(new Rgb(0.8, 0.7, 0.6));
     private static final Material GLTF = MATTE.withMetallic(0.9).withRoughness(0.7);
-    private static final Material TEXTURED = MATTE.withTexture(Optional.of(TEXTURE));
+    private static final Material TEXTURED = MATTE.withTexture(TEXTURE);
 
     private static Material mapped(Material material, Maps maps) {
         return material.withMaps(maps);
@@ -69,8 +68,8 @@ class MapPicturesTest {
                         mapped(MATTE.withEmission(Emission.NONE.withColor(new Rgb(1, 2, 3))), none.withEmission(MAP))),
                 of("metal and roughness", mapped(GLTF, none.withRoughness(MAP).withMetallic(MAP))),
                 of("normals", mapped(MATTE.withReflectivity(30), none.withNormal(MAP))),
-                of("scaled normals", mapped(MATTE, none.withNormal(MAP.map(map -> map.withScale(0.4))))),
-                of("occlusion", mapped(MATTE, none.withOcclusion(MAP.map(map -> map.withScale(0.7))))),
+                of("scaled normals", mapped(MATTE, none.withNormal(MAP.withScale(0.4)))),
+                of("occlusion", mapped(MATTE, none.withOcclusion(MAP.withScale(0.7)))),
                 of("mask", TEXTURED.withAlpha(new Alpha(Alpha.Mode.MASK, 1, 0.5))),
                 of("blended", TEXTURED.withAlpha(new Alpha(Alpha.Mode.BLEND, 0.9, 0.5))),
                 of("ignored opacity", TEXTURED),
@@ -117,8 +116,10 @@ class MapPicturesTest {
                 .withCamera(Camera.of(new Vector3(0.8, 1.2, -5), 3, 8, 46))
                 .withLights(Lights.of(Light.of(new Vector3(-3, 5, -4), 0.5, new Rgb(1, 1, 1))))
                 .withGround(Ground.of(20, -1, new Rgb(0.7, 0.7, 0.7), new Rgb(0.3, 0.3, 0.3), 10))
-                .withRendering(
-                        Rendering.DEFAULT.withSize(WIDTH, HEIGHT).withShadows(6).withBounces(4))
+                .withRendering(Rendering.DEFAULT
+                        .withSize(WIDTH, HEIGHT)
+                        .withShadowSamples(6)
+                        .withBounces(4))
                 .withMeshes(List.of(Mesh.of(FILE)));
         SceneImages images = new SceneImages(SKY, Map.of(IMAGE, image(random, false), TEXTURE, image(random, true)));
         return new LitScene(scene, images, SceneMeshes.of(scene, _ -> file));

@@ -15,6 +15,7 @@ import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
@@ -24,7 +25,6 @@ import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -47,7 +47,7 @@ class MeshPicturesTest {
                 .withGround(Ground.of(20, -1, new Rgb(0.7, 0.7, 0.7), new Rgb(0.3, 0.3, 0.3), 0))
                 .withRendering(Rendering.DEFAULT
                         .withSize(WIDTH, HEIGHT)
-                        .withShadows(12)
+                        .withShadowSamples(12)
                         .withBounces(4));
     }
 
@@ -73,7 +73,7 @@ class MeshPicturesTest {
                 scene().withSpheres(List.of(
                         Sphere.of(new Vector3(0, 0, 0), 1, new Rgb(1, 1, 1), 0).withMaterial(material))),
                 SKY);
-        Scene shown = scene().withMeshes(List.of(Mesh.of(FILE).withMaterial(Optional.of(material))));
+        Scene shown = scene().withMeshes(List.of(Mesh.of(FILE).withMaterial(material)));
         int coarse = difference(sphere, with(shown, shape.apply(3))).differing().length;
         int fine = difference(sphere, with(shown, shape.apply(5))).differing().length;
         assertThat(fine).isLessThan(coarse / 2).isLessThan(WIDTH * HEIGHT / 50);
@@ -87,7 +87,7 @@ class MeshPicturesTest {
                 .withMeshes(List.of(Mesh.of(FILE)
                         .withPosition(new Vector3(0, -1, 0))
                         .withScale(3)
-                        .withMaterial(Optional.of(MATTE.withReflectivity(40)))));
+                        .withMaterial(MATTE.withReflectivity(40))));
         assertThat(difference(new LitScene(plane, SKY), with(square, MeshShapes.square())))
                 .matches(PictureDifference::isWithinBound);
     }
@@ -114,8 +114,8 @@ class MeshPicturesTest {
                 List.of(new MeshPart("", 0, Affine.IDENTITY, mirror), new MeshPart("", 0, aside, mirror)));
         Scene scene = scene().withMeshes(List.of(Mesh.of(FILE)
                 .withScale(0.5)
-                .withRotation(new Vector3(10, 20, 30))
-                .withMaterial(Optional.of(mirror))));
+                .withRotation(new Rotation(20, 10, 30))
+                .withMaterial(mirror)));
         assertThat(difference(with(scene, instances), with(scene, copies))).matches(PictureDifference::isWithinBound);
     }
 
@@ -127,13 +127,11 @@ class MeshPicturesTest {
         }
         Scene scene = scene().withSpheres(List.of(Sphere.of(new Vector3(1.5, -0.5, 0.5), 0.5, new Rgb(1, 1, 1), 20)))
                 .withMeshes(List.of(
-                        Mesh.of(FILE).withMaterial(Optional.of(MATTE.withTransmission(0.7))),
-                        Mesh.of(FILE)
-                                .withPosition(new Vector3(-2, 0, 1))
-                                .withMaterial(Optional.of(MATTE.withReflectivity(50)))));
+                        Mesh.of(FILE).withMaterial(MATTE.withTransmission(0.7)),
+                        Mesh.of(FILE).withPosition(new Vector3(-2, 0, 1)).withMaterial(MATTE.withReflectivity(50))));
         Rendering settings = scene.rendering();
         Scene stage = switch (picture) {
-            case HARD_SHADOWS -> scene.withRendering(settings.withBounces(0).withShadows(1));
+            case HARD_SHADOWS -> scene.withRendering(settings.withBounces(0).withShadowSamples(1));
             case SOFT_SHADOWS -> scene.withRendering(settings.withBounces(0));
             default -> scene;
         };

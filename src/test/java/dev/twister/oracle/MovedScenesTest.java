@@ -37,8 +37,10 @@ class MovedScenesTest {
     void looksAsItDid(String engine, double x, double y, double z) {
         Scene scene = SceneReader.read(Path.of("scenes", "teaching.json"));
         Scene near = scene.withGround(scene.ground().withSize(LARGEST_PLANE))
-                .withRendering(
-                        scene.rendering().withSize(320, 180).withShadows(64).withBounces(1));
+                .withRendering(scene.rendering()
+                        .withSize(320, 180)
+                        .withShadowSamples(64)
+                        .withBounces(1));
         Skybox sky = SkyboxReader.read(scene.sky().file());
         int[] moved = Pictures.argb(engine, moved(near, new Vector3(x, y, z)), sky);
         assertThat(PictureDifference.between(moved, Pictures.argb(JvmEngines.SEQUENTIAL, near, sky)))
@@ -55,7 +57,7 @@ class MovedScenesTest {
                 .withCamera(Camera.of(new Vector3(border, 4, -400_000), 0, 90, 90))
                 .withGround(Ground.of(LARGEST_PLANE, 0, white, white, 0))
                 .withShading(new Shading(1))
-                .withRendering(Rendering.DEFAULT.withSize(40, 40).withShadows(1));
+                .withRendering(Rendering.DEFAULT.withSize(40, 40).withShadowSamples(1));
         int[] argb = Pictures.argb(engine, scene, new Skybox(1, 1, new float[3]));
         assertThat(Arrays.stream(argb).filter(pixel -> pixel == BLACK)).hasSizeBetween(40 * 19, 40 * 21);
     }

@@ -19,7 +19,6 @@ import dev.twister.world.SceneImages;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -126,7 +125,7 @@ class OracleTest {
         Path file = Path.of("halves.png");
         Skybox halves = new Skybox(4, 1, new float[] {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1});
         Sphere ball = sphere(0, 5, 0, 2, MATTE);
-        Sphere textured = ball.withMaterial(ball.material().withTexture(Optional.of(file)));
+        Sphere textured = ball.withMaterial(ball.material().withTexture(file));
         SceneImages images = new SceneImages(SKY, Map.of(file, halves));
         Camera camera = AHEAD.withPosition(new Vector3(0, 5, -5));
         for (double x : new double[] {-1.5, 0, 1.5}) {

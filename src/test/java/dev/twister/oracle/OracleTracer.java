@@ -16,7 +16,6 @@ import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 
 /** Traces the color along a ray, recursively. */
@@ -108,8 +107,7 @@ final class OracleTracer {
                 TriangleMesh triangles = meshes.file(mesh).meshes().get(part.mesh());
                 Material material = mesh.material().orElse(part.material());
                 OracleMaterial made = OracleMaterial.of(
-                        triangles.textureCoordinates().length == 0 ? material.withTexture(Optional.empty()) : material,
-                        images);
+                        triangles.textureCoordinates().length == 0 ? material.withoutTexture() : material, images);
                 OracleMaps maps = OracleMaps.of(
                         triangles.textureCoordinates().length == 0 ? material.withoutImages() : material, images);
                 boolean colored = mesh.material().isEmpty();

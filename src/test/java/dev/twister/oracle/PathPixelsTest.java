@@ -65,7 +65,10 @@ class PathPixelsTest {
                         .map(sphere -> sphere.withMaterial(changed(sphere.material(), random)))
                         .toList())
                 .withMeshes(scene.meshes().stream()
-                        .map(mesh -> mesh.withMaterial(mesh.material().map(own -> changed(own, random))))
+                        .map(mesh -> mesh.material()
+                                .map(own -> changed(own, random))
+                                .map(mesh::withMaterial)
+                                .orElse(mesh))
                         .toList());
     }
 

@@ -15,6 +15,7 @@ import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
@@ -26,7 +27,6 @@ import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /** The scenes of which {@code src/test/resources/path-references} has what another renderer finds. */
 final class PathReferences {
@@ -71,37 +71,37 @@ final class PathReferences {
                                 0.4,
                                 WHITE.withColor(new Rgb(1, 1, 1)).withTransmission(1))))
                 .withMeshes(List.of(
-                        quad(2.6, 4.4, new Vector3(0, 0, -1.2), new Vector3(90, 0, 0), WHITE),
-                        quad(2.6, 4.4, new Vector3(0, 2, -1.2), new Vector3(-90, 0, 0), WHITE),
-                        quad(2.6, 2, new Vector3(0, 1, 1), Vector3.ZERO, WHITE),
-                        quad(2.6, 2, new Vector3(0, 1, -3.4), Vector3.ZERO, WHITE),
+                        quad(2.6, 4.4, new Vector3(0, 0, -1.2), new Rotation(0, 90, 0), WHITE),
+                        quad(2.6, 4.4, new Vector3(0, 2, -1.2), new Rotation(0, -90, 0), WHITE),
+                        quad(2.6, 2, new Vector3(0, 1, 1), Rotation.NONE, WHITE),
+                        quad(2.6, 2, new Vector3(0, 1, -3.4), Rotation.NONE, WHITE),
                         quad(
                                 4.4,
                                 2,
                                 new Vector3(-1.3, 1, -1.2),
-                                new Vector3(0, 90, 0),
+                                new Rotation(90, 0, 0),
                                 WHITE.withColor(new Rgb(0.65, 0.05, 0.05))),
                         quad(
                                 4.4,
                                 2,
                                 new Vector3(1.3, 1, -1.2),
-                                new Vector3(0, 90, 0),
+                                new Rotation(90, 0, 0),
                                 WHITE.withColor(new Rgb(0.12, 0.45, 0.15))),
                         quad(
                                 0.8,
                                 0.6,
                                 new Vector3(0, 1.99, 0),
-                                new Vector3(-90, 0, 0),
+                                new Rotation(0, -90, 0),
                                 WHITE.withColor(new Rgb(0, 0, 0))
                                         .withEmission(new Emission(new Rgb(17, 12, 7), 1, false, LightGroup.NONE)))));
         return new LitScene(scene, SceneImages.of(BLACK), SceneMeshes.read(scene, _ -> {}));
     }
 
-    private static Mesh quad(double width, double height, Vector3 center, Vector3 rotation, Material material) {
+    private static Mesh quad(double width, double height, Vector3 center, Rotation rotation, Material material) {
         return Mesh.of(new Shape(Shape.Kind.QUAD, new Vector3(width, height, 0)))
                 .withPosition(center)
                 .withRotation(rotation)
-                .withMaterial(Optional.of(material));
+                .withMaterial(material);
     }
 
     /** A rough metal knot of 100,000 triangles on a plane, under a sky with a sun. */
@@ -114,7 +114,7 @@ final class PathReferences {
         double pitch = Math.toDegrees(Math.atan2(2.3, 8));
         Scene scene = under(16, Camera.of(new Vector3(0.35, 4.2, -9.5), 0, pitch, 46))
                 .withGround(Ground.of(60, 0, floor, floor, 0))
-                .withMeshes(List.of(Mesh.of(new Geometry.OfFile(KNOT)).withMaterial(Optional.of(gold))));
+                .withMeshes(List.of(Mesh.of(new Geometry.OfFile(KNOT)).withMaterial(gold)));
         MeshFile file = new MeshFile(
                 List.of(TorusKnot.mesh(1000, 50)),
                 List.of(new MeshPart("", 0, Affine.IDENTITY, Material.DEFAULT)),

@@ -17,7 +17,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Random;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -72,11 +71,10 @@ public final class RandomMaterials {
             default -> glass(random, plain).withTransmission(RandomScenes.extremeOr(random, 0, 1, random.nextDouble()));
         };
         double roughness = random.nextBoolean() ? 0 : RandomScenes.extremeOr(random, 0, 1, random.nextDouble());
-        return material.withRoughness(roughness)
-                .withTexture(
-                        random.nextInt(4) == 0
-                                ? Optional.of(TEXTURES.get(random.nextInt(TEXTURES.size())))
-                                : Optional.empty());
+        Material rough = material.withRoughness(roughness);
+        return random.nextInt(4) == 0
+                ? rough.withTexture(TEXTURES.get(random.nextInt(TEXTURES.size())))
+                : rough.withoutTexture();
     }
 
     /** The same scene, some of whose spheres are metals, and some emit light. */
@@ -146,7 +144,7 @@ public final class RandomMaterials {
         double branches = Math.min(1 << plain.bounces(), 60);
         double testsAPixel = plain.samplesPerPixel() * branches * (2 + spheres) * (shadowSamples + 1);
         double scale = Math.sqrt(Math.min(1, MOST_TESTS / testsAPixel / (plain.width() * plain.height())));
-        return plain.withShadows(shadowSamples)
+        return plain.withShadowSamples(shadowSamples)
                 .withSize(Math.max(1, (int) (scale * plain.width())), Math.max(1, (int) (scale * plain.height())));
     }
 

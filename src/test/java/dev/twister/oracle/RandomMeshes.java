@@ -7,6 +7,7 @@ import dev.twister.mesh.TriangleMesh;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.world.SceneMeshes;
@@ -15,7 +16,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Random;
 
 /**
@@ -50,17 +50,18 @@ public final class RandomMeshes {
     }
 
     private static Mesh mesh(Random random, Geometry file) {
+        Vector3 position = new Vector3(
+                RandomScenes.between(random, -5, 5),
+                RandomScenes.between(random, -1, 4),
+                RandomScenes.between(random, -5, 5));
+        double pitch = RandomScenes.extremeOr(random, 0, 90, RandomScenes.between(random, -90, 90));
+        double yaw = RandomScenes.extremeOr(random, 0, 90, RandomScenes.between(random, -180, 180));
+        double roll = RandomScenes.extremeOr(random, 0, 45, RandomScenes.between(random, -180, 180));
         Mesh mesh = Mesh.of(file)
-                .withPosition(new Vector3(
-                        RandomScenes.between(random, -5, 5),
-                        RandomScenes.between(random, -1, 4),
-                        RandomScenes.between(random, -5, 5)))
-                .withRotation(new Vector3(
-                        RandomScenes.extremeOr(random, 0, 90, RandomScenes.between(random, -90, 90)),
-                        RandomScenes.extremeOr(random, 0, 90, RandomScenes.between(random, -180, 180)),
-                        RandomScenes.extremeOr(random, 0, 45, RandomScenes.between(random, -180, 180))))
+                .withPosition(position)
+                .withRotation(new Rotation(yaw, pitch, roll))
                 .withScale(RandomScenes.between(random, 0.3, 3));
-        return random.nextBoolean() ? mesh : mesh.withMaterial(Optional.of(material(random)));
+        return random.nextBoolean() ? mesh : mesh.withMaterial(material(random));
     }
 
     private static Material material(Random random) {

@@ -58,7 +58,7 @@ public final class RandomScenes {
         Skybox sky = RandomSkies.sky(random);
         return new LitScene(
                 scene.withSky(scene.sky()
-                        .withRotation(extremeOr(random, 0, -90, between(random, -400, 400)))
+                        .withRotationDegrees(extremeOr(random, 0, -90, between(random, -400, 400)))
                         .withStrength(extremeOr(random, 0, 1, between(random, 0, 3)))),
                 sky);
     }
@@ -115,7 +115,7 @@ public final class RandomScenes {
         };
         return Rendering.DEFAULT
                 .withSize(width, random.nextInt(20) == 0 ? 1 : Math.max(1, pixels / width))
-                .withShadows(shadowSamples)
+                .withShadowSamples(shadowSamples)
                 .withBounces(bounces)
                 .withSamplesPerPixel(samplesPerPixel)
                 .withTone(

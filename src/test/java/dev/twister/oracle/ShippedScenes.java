@@ -71,12 +71,12 @@ public final class ShippedScenes {
                     small,
                     settings.withIntegrator(Integrator.WHITTED)
                             .withSize(32, 18)
-                            .withShadows(1)
+                            .withShadowSamples(1)
                             .withBounces(2));
         }
         return small.scene().spheres().size() > MANY_SPHERES
-                ? with(small, settings.withSize(96, 54).withShadows(4))
-                : with(small, settings.withShadows(Math.min(settings.shadowSamples(), 48)));
+                ? with(small, settings.withSize(96, 54).withShadowSamples(4))
+                : with(small, settings.withShadowSamples(Math.min(settings.shadowSamples(), 48)));
     }
 
     private static LitScene read(String name) {

@@ -56,7 +56,7 @@ class StagesAndViewsTest {
         Rendering settings = shipped.scene().rendering();
         Scene scene = shipped.scene()
                 .withRendering(settings.withSize(160, 90)
-                        .withShadows(Math.min(settings.shadowSamples(), 16))
+                        .withShadowSamples(Math.min(settings.shadowSamples(), 16))
                         .withSamplesPerPixel(2));
         FrameInput input =
                 World.of(scene, shipped.images(), shipped.meshes()).snapshot().showing(picture);
@@ -79,7 +79,7 @@ class StagesAndViewsTest {
     private static Scene sceneOf(Picture picture, Scene scene) {
         Rendering settings = scene.rendering();
         return switch (picture) {
-            case HARD_SHADOWS -> scene.withRendering(settings.withBounces(0).withShadows(1));
+            case HARD_SHADOWS -> scene.withRendering(settings.withBounces(0).withShadowSamples(1));
             case SOFT_SHADOWS -> scene.withRendering(settings.withBounces(0));
             default -> scene;
         };

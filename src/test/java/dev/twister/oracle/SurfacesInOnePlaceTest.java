@@ -16,6 +16,7 @@ import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
@@ -39,8 +40,8 @@ public class SurfacesInOnePlaceTest {
     private static final Material GLASS =
             Material.DEFAULT.withTransmission(1).withColor(new Rgb(0.9, 1, 0.9)).withReflectivity(0);
     private static final float RAISED = 1.0001f;
-    private static final List<Vector3> ROTATIONS =
-            List.of(Vector3.ZERO, new Vector3(0, 30, 0), new Vector3(17, 40, 65), new Vector3(3, 200, 91));
+    private static final List<Rotation> ROTATIONS =
+            List.of(Rotation.NONE, new Rotation(30, 0, 0), new Rotation(40, 17, 65), new Rotation(200, 3, 91));
 
     /** Two scenes whose pictures are equal. */
     public record Pair(String name, LitScene coincident, LitScene expected) {
@@ -55,15 +56,17 @@ public class SurfacesInOnePlaceTest {
                 .withCamera(Camera.of(new Vector3(-2.5, 2.5, -8), 15, 12, 35))
                 .withLights(Lights.of(Light.of(new Vector3(-3, 6, -4), 0.5, new Rgb(1, 1, 1))))
                 .withGround(Ground.of(20, -1.8, new Rgb(0.7, 0.7, 0.7), new Rgb(0.3, 0.3, 0.3), 0))
-                .withRendering(
-                        Rendering.DEFAULT.withSize(120, 90).withShadows(12).withBounces(3));
+                .withRendering(Rendering.DEFAULT
+                        .withSize(120, 90)
+                        .withShadowSamples(12)
+                        .withBounces(3));
     }
 
     private static LitScene lit(Scene scene, MeshFile file) {
         return new LitScene(scene, SceneImages.of(SKY), SceneMeshes.of(scene, _ -> file));
     }
 
-    private static Scene placed(Scene scene, Vector3 rotation, Vector3 position, double scale) {
+    private static Scene placed(Scene scene, Rotation rotation, Vector3 position, double scale) {
         return scene.withMeshes(List.of(
                 Mesh.of(FILE).withRotation(rotation).withPosition(position).withScale(scale)));
     }
@@ -106,10 +109,10 @@ public class SurfacesInOnePlaceTest {
     public static Stream<Pair> pairs() {
         MeshFile red = file(List.of(MeshShapes.cube()), RED);
         MeshFile mirror = file(List.of(MeshShapes.cube()), MIRROR);
-        Scene there = placed(scene(), new Vector3(17, 40, 65), new Vector3(0.3, 0.1, 0.2), 1);
-        Scene onTheGround = placed(scene(), Vector3.ZERO, new Vector3(0, -0.8, 0), 1);
+        Scene there = placed(scene(), new Rotation(40, 17, 65), new Vector3(0.3, 0.1, 0.2), 1);
+        Scene onTheGround = placed(scene(), Rotation.NONE, new Vector3(0, -0.8, 0), 1);
         TriangleMesh cube = MeshShapes.cube();
-        Scene above = placed(scene(), new Vector3(0, 25, 0), Vector3.ZERO, 1);
+        Scene above = placed(scene(), new Rotation(25, 0, 0), Vector3.ZERO, 1);
         TriangleMesh bottomAndBack = flat(cube.positions(), Arrays.copyOfRange(cube.corners(), 6, 18));
         TriangleMesh back = flat(cube.positions(), Arrays.copyOfRange(cube.corners(), 6, 12));
         TriangleMesh raised = flat(

@@ -33,7 +33,7 @@ public final class FullScene {
                 List.of(new CameraView("front", camera)),
                 new Lights(List.of(
                         Light.of(new Vector3(1, 1.6, 0), 0.3, new Rgb(0.9, 0.8, 0.7))
-                                .withStrength(Optional.of(5.0))
+                                .withStrength(5.0)
                                 .withShare(0.75)
                                 .withGroup("lamp"),
                         Light.of(new Vector3(-1, 2.2, 0.5), 0.2, new Rgb(0.2, 0.4, 0.9)))),
@@ -46,7 +46,7 @@ public final class FullScene {
                         List.of(new Mesh(
                                 new Geometry.OfFile(MESH),
                                 new Vector3(-1, 0.2, 0),
-                                new Vector3(10, 20, 30),
+                                new Rotation(20, 10, 30),
                                 0.6,
                                 25,
                                 Optional.of(material(0.7, 0)),

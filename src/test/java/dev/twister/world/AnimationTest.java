@@ -10,6 +10,7 @@ import dev.twister.scene.Easing;
 import dev.twister.scene.FullScene;
 import dev.twister.scene.Keyframe;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
@@ -91,7 +92,7 @@ class AnimationTest {
         assertThat(now.spheres().get(1).material().roughness()).isEqualTo(0.5);
         assertThat(now.spheres().getFirst()).isEqualTo(SCENE.spheres().getFirst());
         // Yaw, pitch and roll, as in files.
-        assertThat(now.meshes().getFirst().rotation()).isEqualTo(new Vector3(20, 10, 30));
+        assertThat(now.meshes().getFirst().rotation()).isEqualTo(new Rotation(10, 20, 30));
         assertThat(now.lights().get(1).color()).isEqualTo(new Rgb(4, 5, 6));
         assertThat(now.camera().focusDistance()).isEqualTo(3);
     }

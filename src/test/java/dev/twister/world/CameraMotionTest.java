@@ -105,7 +105,7 @@ class CameraMotionTest {
         assertThat(turned.yawDegrees()).isCloseTo(-10, within(TINY));
         assertThat(turned.pitchDegrees()).isEqualTo(90);
         assertThat(CameraMotion.look(CAMERA, 180, -1000))
-                .isEqualTo(CAMERA.withYaw(-180).withPitch(-90));
+                .isEqualTo(CAMERA.withYawDegrees(-180).withPitchDegrees(-90));
     }
 
     @Test

@@ -12,16 +12,15 @@ import dev.twister.scene.Scene;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class HiddenTexturesTest {
     private static final Path FILE = Path.of("box.obj");
-    private static final Material RED = Material.DEFAULT.withTexture(Optional.of(Path.of("skins", "red.png")));
+    private static final Material RED = Material.DEFAULT.withTexture(Path.of("skins", "red.png"));
 
     @Test
     void namesATextureOnAMeshWithoutTextureCoordinates() {
-        Mesh own = Mesh.of(FILE).withMaterial(Optional.of(RED));
+        Mesh own = Mesh.of(FILE).withMaterial(RED);
 
         assertThat(hidden(own, part(0, Material.DEFAULT), part(0, Material.DEFAULT)))
                 .containsExactly("box.obj: no texture coordinates; the texture red.png is not shown");
@@ -37,7 +36,7 @@ class HiddenTexturesTest {
     @Test
     void isSilentWhereTexturesAreShownOrReplaced() {
         assertThat(hidden(Mesh.of(FILE), part(1, RED))).isEmpty();
-        assertThat(hidden(Mesh.of(FILE).withMaterial(Optional.of(Material.DEFAULT)), part(0, RED)))
+        assertThat(hidden(Mesh.of(FILE).withMaterial(Material.DEFAULT), part(0, RED)))
                 .isEmpty();
     }
 

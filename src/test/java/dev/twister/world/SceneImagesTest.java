@@ -26,7 +26,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -86,7 +85,7 @@ class SceneImagesTest {
     void tellsOfATextureThatAMeshDoesNotShow() throws IOException {
         Path file = folder.resolve("red.png");
         PngWriter.write(file, 1, 1, new int[] {0xff0000}, true);
-        Mesh mesh = Mesh.of(folder.resolve("box.obj")).withMaterial(Optional.of(textured(file)));
+        Mesh mesh = Mesh.of(folder.resolve("box.obj")).withMaterial(textured(file));
         Scene scene = Scene.under(sky).withMeshes(List.of(mesh));
 
         SceneImages.read(scene, SceneMeshes.of(scene, _ -> MeshShapes.file(MeshShapes.cube())), warnings::add);
@@ -124,6 +123,6 @@ class SceneImagesTest {
     }
 
     private static Material textured(Path file) {
-        return Material.DEFAULT.withTexture(Optional.of(file));
+        return Material.DEFAULT.withTexture(file);
     }
 }

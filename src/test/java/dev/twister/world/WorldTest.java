@@ -50,7 +50,7 @@ class WorldTest {
                 .withRoughness(0.41)
                 .withTransmission(0.42)
                 .withIor(1.43)
-                .withTexture(Optional.of(file))
+                .withTexture(file)
                 .withMetallic(0.44)
                 .withEmission(new Emission(new Rgb(2, 4, 6), 0.5, false, LightGroup.NONE))
                 .withAttenuation(new Attenuation(new Rgb(Math.exp(-1), Math.exp(-2), 1), Optional.of(2.0)));
@@ -234,7 +234,7 @@ class WorldTest {
 
     @Test
     void tablesFollowTheirCounts() {
-        world.setSettings(world.settings().withShadows(9).withSamplesPerPixel(4));
+        world.setSettings(world.settings().withShadowSamples(9).withSamplesPerPixel(4));
         float[] frame = world.snapshot().view().frame();
         int samples = world.snapshot().view().samplePlace(0);
         assertThat(Arrays.copyOfRange(frame, Layout.DISC, samples)).isEqualTo(SunflowerDisc.points(9));

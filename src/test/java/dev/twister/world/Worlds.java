@@ -33,7 +33,7 @@ final class Worlds {
                 .withShading(new Shading(0.36))
                 .withRendering(Rendering.DEFAULT
                         .withSize(40, 30)
-                        .withShadows(5)
+                        .withShadowSamples(5)
                         .withBounces(6)
                         .withSamplesPerPixel(3));
     }

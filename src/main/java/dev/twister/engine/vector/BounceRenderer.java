@@ -17,6 +17,7 @@ import dev.twister.engine.vector.step.HitSorting;
 import dev.twister.engine.vector.step.LightDirection;
 import dev.twister.engine.vector.step.LightHit;
 import dev.twister.engine.vector.step.MaterialLanes;
+import dev.twister.engine.vector.step.MetalLanes;
 import dev.twister.engine.vector.step.NearestSphere;
 import dev.twister.engine.vector.step.RefractionLanes;
 import dev.twister.engine.vector.step.ScatterLanes;
@@ -119,6 +120,9 @@ final class BounceRenderer {
         }
         findShadows(drawing, rays, bounce);
         Highlight.find(rays);
+        if (drawing.looks.metallic) {
+            MetalLanes.tintHighlights(rays, drawing);
+        }
         ScatterLanes.shade(rays, drawing);
         if (drawing.looks.isAny()) {
             goOn(drawing, rays, bounce);
@@ -147,14 +151,19 @@ final class BounceRenderer {
         if (drawing.looks.textured) {
             TextureLanes.multiply(drawing, rays);
         }
-        if (drawing.looks.transparent) {
+        if (drawing.looks.isBranching()) {
+            MetalLanes.find(rays);
             TransmittingSurface.face(rays, drawing.bodies.meshes.firstBody);
         }
     }
 
-    /** Starts the secondary rays for materials with roughness, transmission or texture. */
+    private boolean branches(Tile rays) {
+        return rays == bench.branches || rays.transparent.count + rays.metals.count > 0;
+    }
+
+    /** Starts the secondary rays for materials with roughness, transmission, metal or texture. */
     private void goOn(Drawing drawing, Tile rays, int bounce) {
-        if (drawing.looks.transparent && (rays == bench.branches || rays.transparent.count > 0)) {
+        if (drawing.looks.isBranching() && branches(rays)) {
             rays.live.clear();
             if (!rays.last) {
                 FacetLanes.find(drawing, rays, rays.surfaces, bounce);

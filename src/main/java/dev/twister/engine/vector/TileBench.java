@@ -29,7 +29,7 @@ final class TileBench {
     /** Prepares for a frame. */
     void start(Drawing drawing) {
         tile.candidates.reserve(drawing.input.bodyCount());
-        if (drawing.looks.transparent) {
+        if (drawing.looks.isBranching()) {
             tile.transmitting.reserve(drawing.input.bodyCount());
             branches.candidates.reserve(drawing.input.bodyCount());
             branches.transmitting.reserve(drawing.input.bodyCount());

@@ -80,7 +80,7 @@ final class TileRenderer {
             boolean offPlane = bounce == 1 && tile.spheres.count == 0 && drawing.looks.plainPlane && !drawing.lens;
             bounces.follow(drawing, tile, bounce, offPlane);
         }
-        if (drawing.looks.transparent) {
+        if (drawing.looks.isBranching()) {
             followWaiting(drawing);
         }
     }

@@ -37,7 +37,7 @@ public final class AssetActions {
     public void insertMesh() {
         long number = document.number();
         choice.mesh(document.folder()).map(FileNames::absolute).map(Mesh::of).ifPresent(chosen -> {
-            Mesh mesh = chosen.withSmooth(MeshStage.SMOOTH_DEGREES);
+            Mesh mesh = chosen.withSmoothDegrees(MeshStage.SMOOTH_DEGREES);
             readMesh(mesh, held -> {
                 if (document.number() == number) {
                     insert(mesh, held);

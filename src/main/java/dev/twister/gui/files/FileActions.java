@@ -13,6 +13,7 @@ import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import dev.twister.mesh.MeshPose;
 import dev.twister.mesh.MeshStage;
+import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
@@ -107,12 +108,13 @@ public final class FileActions {
     /** Shows a mesh in a scene of its own. */
     private void openMesh(Path file) {
         Path absolute = FileNames.absolute(file);
-        Mesh mesh = Mesh.of(absolute).withSmooth(MeshStage.SMOOTH_DEGREES);
+        Mesh mesh = Mesh.of(absolute).withSmoothDegrees(MeshStage.SMOOTH_DEGREES);
         Path sky = FileNames.absolute(shipped.skyboxes().resolve(ShippedSky.DAY.fileName()));
         assets.readMesh(mesh, unlessEdited(held -> {
             studio.assets().keepMesh(mesh, held);
             studio.show(new OpenedScene(
-                    MeshStage.sceneFile(absolute), MeshStage.of(absolute, held, sky, MeshPose.OF_FILE)));
+                    MeshStage.sceneFile(absolute),
+                    MeshStage.of(new Geometry.OfFile(absolute), held, sky, MeshPose.OF_FILE)));
             settings.remember(file);
         }));
     }

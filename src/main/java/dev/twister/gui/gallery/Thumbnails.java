@@ -88,7 +88,7 @@ final class Thumbnails implements AutoCloseable {
         Scene small = scene.withRendering(scene.rendering()
                 .withSize(WIDTH, HEIGHT)
                 .withSamplesPerPixel(traced ? TRACED_SAMPLES : SAMPLES)
-                .withShadows(Math.min(scene.rendering().shadowSamples(), SHADOW_SAMPLES)));
+                .withShadowSamples(Math.min(scene.rendering().shadowSamples(), SHADOW_SAMPLES)));
         SceneMeshes meshes = SceneMeshes.read(small, _ -> {});
         FrameInput input = World.of(small, SceneImages.read(small, meshes, _ -> {}), meshes)
                 .snapshot();

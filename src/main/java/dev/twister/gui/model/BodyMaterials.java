@@ -1,8 +1,8 @@
 package dev.twister.gui.model;
 
 import dev.twister.scene.Material;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 
@@ -38,7 +38,7 @@ public final class BodyMaterials {
                 scene,
                 bodies,
                 (_, sphere) -> sphere.withMaterial(edit.apply(sphere.material())),
-                (_, mesh) -> mesh.withMaterial(mesh.material().map(edit)));
+                (_, mesh) -> mesh.material().map(edit).map(mesh::withMaterial).orElse(mesh));
         return bodies.contains(BodyNumber.PLANE)
                 ? edited.withGround(
                         scene.ground().withMaterial(edit.apply(scene.ground().material())))
@@ -48,7 +48,7 @@ public final class BodyMaterials {
     /** The scene with that material of that body alone. */
     public static Scene with(Scene scene, int body, Material material) {
         if (BodyEdits.isMesh(scene, body)) {
-            return BodyEdits.editedMesh(scene, body, mesh -> mesh.withMaterial(Optional.of(material)));
+            return BodyEdits.editedMesh(scene, body, mesh -> mesh.withMaterial(material));
         }
         return body == BodyNumber.PLANE
                 ? scene.withGround(scene.ground().withMaterial(material))
@@ -57,7 +57,7 @@ public final class BodyMaterials {
 
     /** The scene with a mesh that has the materials of its file again. */
     public static Scene withFiles(Scene scene, int body) {
-        return BodyEdits.editedMesh(scene, body, mesh -> mesh.withMaterial(Optional.empty()));
+        return BodyEdits.editedMesh(scene, body, Mesh::withoutMaterial);
     }
 
     /** Whether all materials, those of bodies and those that are shared, are the same in both scenes. */

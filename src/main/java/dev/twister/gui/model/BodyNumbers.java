@@ -4,12 +4,15 @@ import dev.twister.gui.model.NumberScale.Spread;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Range;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Triangles;
 import java.util.List;
+import java.util.function.BiFunction;
+import java.util.function.ToDoubleFunction;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 
@@ -33,9 +36,14 @@ public final class BodyNumbers {
             mesh(Axis.X, "from left to right", "Alt+4"),
             mesh(Axis.Y, "in height", "Alt+5"),
             mesh(Axis.Z, "from near to far", "Alt+6"),
-            turn("yaw", Axis.Y, "about the vertical axis, to the right", "Alt+Shift+4"),
-            turn("pitch", Axis.X, "forwards", "Alt+Shift+5"),
-            turn("roll", Axis.Z, "to its left side", "Alt+Shift+6"),
+            turn(
+                    "yaw",
+                    Rotation::yawDegrees,
+                    Rotation::withYawDegrees,
+                    "about the vertical axis, to the right",
+                    "Alt+Shift+4"),
+            turn("pitch", Rotation::pitchDegrees, Rotation::withPitchDegrees, "forwards", "Alt+Shift+5"),
+            turn("roll", Rotation::rollDegrees, Rotation::withRollDegrees, "to its left side", "Alt+Shift+6"),
             new NumberProperty<>(
                     "Mesh scale",
                     "Meters per unit of the mesh's file; of a shape, the factor of its size.",
@@ -138,13 +146,18 @@ public final class BodyNumbers {
                 : Math.min(meters, shape.size().x() * MOST_OF_A_TORUS);
     }
 
-    private static NumberProperty<Mesh> turn(String name, Axis axis, String direction, String key) {
+    private static NumberProperty<Mesh> turn(
+            String name,
+            ToDoubleFunction<Rotation> angle,
+            BiFunction<Rotation, Double, Rotation> wither,
+            String direction,
+            String key) {
         return new NumberProperty<>(
                 "Mesh " + name,
                 "How far the mesh is turned " + direction + ". It is rolled, then pitched, then turned.",
                 key,
                 ANGLE,
-                mesh -> axis.of(mesh.rotation()),
-                (mesh, degrees) -> mesh.withRotation(axis.with(mesh.rotation(), degrees)));
+                mesh -> angle.applyAsDouble(mesh.rotation()),
+                (mesh, degrees) -> mesh.withRotation(wither.apply(mesh.rotation(), degrees)));
     }
 }

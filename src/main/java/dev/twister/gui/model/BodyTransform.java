@@ -2,6 +2,7 @@ package dev.twister.gui.model;
 
 import dev.twister.scene.Light;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
@@ -79,7 +80,7 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
         return changed(
                 scene,
                 place -> pivot.plus(turned(place.minus(pivot), axis, degrees)),
-                mesh -> mesh.withRotation(turnedAngles(mesh.rotation(), axis, degrees)),
+                mesh -> mesh.withRotation(turned(mesh.rotation(), axis, degrees)),
                 1);
     }
 
@@ -141,13 +142,13 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
                 .plus(axis.times(axis.dot(vector) * (1 - cosine)));
     }
 
-    /** The pitch, yaw and roll of a mesh that is turned further. */
-    private static Vector3 turnedAngles(Vector3 angles, Vector3 axis, double degrees) {
+    /** The rotation of a mesh that is turned further. */
+    private static Rotation turned(Rotation rotation, Vector3 axis, double degrees) {
         List<Vector3> columns = List.of(Axis.X, Axis.Y, Axis.Z).stream()
                 .map(along -> along.from(Vector3.ZERO, 1))
-                .map(column -> turned(column, new Vector3(0, 0, 1), angles.z()))
-                .map(column -> turned(column, new Vector3(1, 0, 0), angles.x()))
-                .map(column -> turned(column, new Vector3(0, 1, 0), angles.y()))
+                .map(column -> turned(column, new Vector3(0, 0, 1), rotation.rollDegrees()))
+                .map(column -> turned(column, new Vector3(1, 0, 0), rotation.pitchDegrees()))
+                .map(column -> turned(column, new Vector3(0, 1, 0), rotation.yawDegrees()))
                 .map(column -> turned(column, axis, degrees))
                 .toList();
         Vector3 right = columns.get(0);
@@ -156,9 +157,9 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
         boolean upright = Math.hypot(ahead.x(), ahead.z()) > 1e-9;
         double yaw = upright ? Math.atan2(ahead.x(), ahead.z()) : Math.atan2(-right.z(), right.x());
         double roll = upright ? Math.atan2(right.y(), up.y()) : 0;
-        return new Vector3(
-                rounded(Math.toDegrees(Math.asin(Math.clamp(-ahead.y(), -1, 1)))),
+        return new Rotation(
                 rounded(Math.toDegrees(yaw)),
+                rounded(Math.toDegrees(Math.asin(Math.clamp(-ahead.y(), -1, 1)))),
                 rounded(Math.toDegrees(roll)));
     }
 

@@ -17,7 +17,7 @@ public final class CameraNumbers {
             "Alt+W",
             new NumberScale(SceneLimits.FIELD_OF_VIEW, new Range(10, 120), Spread.LINEAR, 1, "°"),
             Camera::fieldOfViewDegrees,
-            Camera::withFieldOfView);
+            Camera::withFieldOfViewDegrees);
 
     /** Half the height of a frame of 35 mm film. */
     private static final double HALF_FRAME_MILLIMETERS = 12;
@@ -39,7 +39,7 @@ public final class CameraNumbers {
                     1,
                     "mm"),
             camera -> focalLength(camera.fieldOfViewDegrees()),
-            (camera, millimeters) -> camera.withFieldOfView(fieldOfView(millimeters)));
+            (camera, millimeters) -> camera.withFieldOfViewDegrees(fieldOfView(millimeters)));
 
     public static final NumberProperty<Camera> APERTURE = new NumberProperty<>(
             "Aperture",
@@ -68,14 +68,14 @@ public final class CameraNumbers {
                             "Alt+Shift+Y",
                             new NumberScale(SceneLimits.YAW, new Range(-180, 180), Spread.LINEAR, 1, "°"),
                             Camera::yawDegrees,
-                            Camera::withYaw),
+                            Camera::withYawDegrees),
                     new NumberProperty<>(
                             "Pitch",
                             "Turn of the camera down; 0 is level.",
                             "Alt+Shift+U",
                             new NumberScale(SceneLimits.PITCH, new Range(-90, 90), Spread.LINEAR, 1, "°"),
                             Camera::pitchDegrees,
-                            Camera::withPitch),
+                            Camera::withPitchDegrees),
                     FIELD_OF_VIEW,
                     FOCAL_LENGTH,
                     APERTURE,

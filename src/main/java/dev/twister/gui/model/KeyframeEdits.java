@@ -52,8 +52,8 @@ public final class KeyframeEdits {
         Camera camera = scene.camera();
         List<CameraKeyframe> others = new ArrayList<>(camera.keyframes());
         at(others, seconds).ifPresent(index -> others.remove(index));
-        others.add(
-                CameraKeyframe.of(time(seconds), camera.withYaw(nearYaw(others, time(seconds), camera.yawDegrees()))));
+        others.add(CameraKeyframe.of(
+                time(seconds), camera.withYawDegrees(nearYaw(others, time(seconds), camera.yawDegrees()))));
         others.sort(Comparator.comparingDouble(CameraKeyframe::seconds));
         return with(scene, others);
     }

@@ -8,7 +8,6 @@ import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;
 import dev.twister.world.LightStrength;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.IntSupplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
@@ -105,8 +104,9 @@ public final class LightNumbers {
                 (scene, strength) -> edited(
                         scene,
                         index,
-                        light -> light.withStrength(
-                                Optional.of(strength).filter(own -> own != usualStrength(scene, index)))));
+                        light -> strength == usualStrength(scene, index)
+                                ? light.withoutStrength()
+                                : light.withStrength(strength)));
     }
 
     private static double usualStrength(Scene scene, IntSupplier index) {

@@ -37,6 +37,7 @@ public enum MaterialPreset {
 
     /** That material with all but its color and its texture as here. */
     public Material appliedTo(Material old) {
-        return material.withColor(old.color()).withTexture(old.texture());
+        Material colored = material.withColor(old.color());
+        return old.texture().map(colored::withTexture).orElse(colored);
     }
 }

@@ -7,7 +7,6 @@ import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
-import java.util.Optional;
 
 /** The mesh that the user inserts: of the size and at the place of a new sphere. */
 public final class NewMesh {
@@ -19,7 +18,7 @@ public final class NewMesh {
         Shape shape = Shape.of(kind, 2 * room.radius());
         Vector3 up = new Vector3(0, shape.size().y() / 2 - room.radius(), 0);
         return Mesh.of(shape)
-                .withMaterial(Optional.of(room.material()))
+                .withMaterial(room.material())
                 .withPosition(SceneLimits.POSITION.clamp(room.position().plus(up)));
     }
 

@@ -39,7 +39,7 @@ public final class NewScene {
                 .withLights(Lights.of(LIGHT))
                 .withRendering(rendering
                         .withIntegrator(Integrator.PATH)
-                        .withShadows(SHADOW_SAMPLES)
+                        .withShadowSamples(SHADOW_SAMPLES)
                         .withTone(rendering.exposure(), ToneMap.ACES, rendering.srgb()));
     }
 }

@@ -201,7 +201,7 @@ public final class SceneHistory {
     private Camera camera(Step step) {
         double from = step.from().camera().fieldOfViewDegrees();
         double to = step.to().camera().fieldOfViewDegrees();
-        Camera turned = from == to ? present.camera() : present.camera().withFieldOfView(to);
+        Camera turned = from == to ? present.camera() : present.camera().withFieldOfViewDegrees(to);
         return CameraRig.of(present.camera())
                 .edited(
                         CameraRig.of(step.from().camera()),

@@ -20,7 +20,7 @@ public final class SceneNumbers {
             "Alt+S",
             new NumberScale(SceneLimits.SHADOW_SAMPLES, new Range(1, 400), Spread.LOGARITHMIC, 0, ""),
             scene -> scene.rendering().shadowSamples(),
-            (scene, count) -> scene.withRendering(scene.rendering().withShadows(count.intValue())));
+            (scene, count) -> scene.withRendering(scene.rendering().withShadowSamples(count.intValue())));
 
     public static final NumberProperty<Scene> EXPOSURE = new NumberProperty<>(
             "Exposure",
@@ -59,7 +59,7 @@ public final class SceneNumbers {
                     "Alt+D",
                     new NumberScale(SceneLimits.SKY_ROTATION, new Range(-180, 180), Spread.LINEAR, 1, "°"),
                     scene -> scene.sky().rotationDegrees(),
-                    (scene, degrees) -> scene.withSky(scene.sky().withRotation(degrees))),
+                    (scene, degrees) -> scene.withSky(scene.sky().withRotationDegrees(degrees))),
             new NumberProperty<>(
                     "Sky strength",
                     "Factor on the panorama's radiance.",

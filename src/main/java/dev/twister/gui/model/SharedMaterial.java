@@ -70,7 +70,7 @@ public record SharedMaterial(String name, List<Integer> bodies) {
         for (int body : bodies) {
             if (BodyEdits.isMesh(scene, body)) {
                 int index = BodyNumber.mesh(body);
-                meshes.set(index, meshes.get(index).withMaterial(Optional.of(material)));
+                meshes.set(index, meshes.get(index).withMaterial(material));
             } else if (body != BodyNumber.PLANE) {
                 int index = BodyNumber.sphere(body);
                 spheres.set(index, spheres.get(index).withMaterial(material));

@@ -65,8 +65,7 @@ final class MaterialRows {
                 choice -> edit(
                         "preset",
                         old -> choice.map(chosen -> chosen.appliedTo(old))
-                                .orElseGet(() ->
-                                        firstMaterial().withColor(old.color()).withTexture(old.texture()))),
+                                .orElseGet(() -> withTexture(firstMaterial().withColor(old.color()), old.texture()))),
                 studio::notice);
         colors = colors();
         numbers = NumberRow.of(
@@ -207,8 +206,12 @@ final class MaterialRows {
         assets.readTexture(file, () -> setTexture(Optional.of(file)), this::show);
     }
 
+    private static Material withTexture(Material material, Optional<Path> file) {
+        return file.map(material::withTexture).orElseGet(material::withoutTexture);
+    }
+
     private void setTexture(Optional<Path> file) {
-        edit("texture", old -> old.withTexture(file));
+        edit("texture", old -> withTexture(old, file));
     }
 
     /** No texture, those of the scene, and the one at the time of the selection. */

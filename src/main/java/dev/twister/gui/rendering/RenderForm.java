@@ -156,7 +156,7 @@ final class RenderForm extends GridPane {
     private Rendering settings(Rendering usual, PictureSize wanted) {
         return usual.withSize(wanted.width(), wanted.height())
                 .withSamplesPerPixel(samples.wholeNumber())
-                .withShadows(shadows.wholeNumber());
+                .withShadowSamples(shadows.wholeNumber());
     }
 
     /** The picture with the bodies' present places, if they move. */

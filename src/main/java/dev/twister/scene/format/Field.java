@@ -39,6 +39,16 @@ record Field<R, T>(
         return new Field<>(name, Presence.SPARSE, 1, type, get, with);
     }
 
+    /** A field that a record may be without: left out of a file, its value is empty. */
+    static <R, T> Field<R, Optional<T>> optional(
+            String name, ValueType<T> type, Function<R, Optional<T>> get, BiFunction<R, T, R> with) {
+        return sparse(
+                name,
+                ValueType.present(type),
+                get,
+                (record, value) -> value.map(given -> with.apply(record, given)).orElse(record));
+    }
+
     /** The same field, which only files of that version and later may have. */
     Field<R, T> from(int version) {
         return new Field<>(name, presence, version, type, get, with);

@@ -58,31 +58,21 @@ record MaterialFormat(List<Field<Material, ?>> fields) {
                     Emission::withStrength),
             emission("doubleSided", new Flag(), Emission::doubleSided, Emission::withDoubleSided),
             emission("lightGroup", new GroupName(), Emission::group, Emission::withGroup),
-            attenuation(
-                    "attenuationColor",
-                    ValueType.color(SceneLimits.ALBEDO),
-                    Attenuation::color,
-                    Attenuation::withColor),
-            attenuation(
-                    "attenuationDistance",
-                    ValueType.present(new Decimal(SceneLimits.LENGTH)),
-                    Attenuation::distance,
-                    Attenuation::withDistance));
+            sparse("attenuationColor", ValueType.color(SceneLimits.ALBEDO), Attenuation::color, Attenuation::withColor)
+                    .within(Material::attenuation, Material::withAttenuation)
+                    .from(3),
+            Field.optional(
+                            "attenuationDistance",
+                            new Decimal(SceneLimits.LENGTH),
+                            Attenuation::distance,
+                            Attenuation::withDistance)
+                    .within(Material::attenuation, Material::withAttenuation)
+                    .from(3));
 
     private static <V> Field<Material, V> emission(
             String name, ValueType<V> type, Function<Emission, V> getter, BiFunction<Emission, V, Emission> wither) {
         return sparse(name, type, getter, wither)
                 .within(Material::emission, Material::withEmission)
-                .from(3);
-    }
-
-    private static <V> Field<Material, V> attenuation(
-            String name,
-            ValueType<V> type,
-            Function<Attenuation, V> getter,
-            BiFunction<Attenuation, V, Attenuation> wither) {
-        return sparse(name, type, getter, wither)
-                .within(Material::attenuation, Material::withAttenuation)
                 .from(3);
     }
 
@@ -110,9 +100,9 @@ record MaterialFormat(List<Field<Material, ?>> fields) {
     }
 
     private static Stream<Field<Material, ?>> images(FilePath file) {
-        ValueType<Optional<ImageMap>> map = ValueType.present(new Converted<>(file, ImageMap::of, ImageMap::file));
+        ValueType<ImageMap> map = new Converted<>(file, ImageMap::of, ImageMap::file);
         return Stream.of(
-                sparse("texture", ValueType.present(file), Material::texture, Material::withTexture)
+                Field.optional("texture", file, Material::texture, Material::withTexture)
                         .from(2),
                 map("emissionMap", map, Maps::emission, Maps::withEmission),
                 map(
@@ -131,10 +121,10 @@ record MaterialFormat(List<Field<Material, ?>> fields) {
 
     private static Field<Material, ?> map(
             String name,
-            ValueType<Optional<ImageMap>> type,
+            ValueType<ImageMap> type,
             Function<Maps, Optional<ImageMap>> getter,
-            BiFunction<Maps, Optional<ImageMap>, Maps> wither) {
-        return sparse(name, type, getter, wither)
+            BiFunction<Maps, ImageMap, Maps> wither) {
+        return Field.optional(name, type, getter, wither)
                 .within(Material::maps, Material::withMaps)
                 .from(3);
     }

@@ -23,14 +23,23 @@ final class MeshFields {
 
     static List<Field<Mesh, ?>> ofFile(ValueType.FilePath file) {
         return List.of(
-                required("file", file, MeshFields::file, MeshFields::withFile).from(2));
+                required("file", file, MeshFields::file, MeshFields::withFile).from(2),
+                sparse(
+                                "scene",
+                                new ValueType.Text(0, SceneLimits.MAX_NAME_LENGTH),
+                                MeshFields::scene,
+                                MeshFields::withScene)
+                        .from(3));
     }
 
     /** How the triangles of a file are shaded. */
     static List<Field<Mesh, ?>> shading() {
-        return List.of(
-                sparse("smooth", new ValueType.Decimal(SceneLimits.SMOOTH), Mesh::smoothDegrees, Mesh::withSmooth)
-                        .from(2));
+        return List.of(sparse(
+                        "smooth",
+                        new ValueType.Decimal(SceneLimits.SMOOTH),
+                        Mesh::smoothDegrees,
+                        Mesh::withSmoothDegrees)
+                .from(2));
     }
 
     static List<Field<Mesh, ?>> ofShape() {
@@ -58,7 +67,15 @@ final class MeshFields {
     }
 
     private static Mesh withFile(Mesh mesh, Path path) {
-        return mesh.withGeometry(new Geometry.OfFile(path));
+        return mesh.withGeometry(new Geometry.OfFile(path, scene(mesh)));
+    }
+
+    private static String scene(Mesh mesh) {
+        return mesh.geometry() instanceof Geometry.OfFile(Path _, String scene) ? scene : "";
+    }
+
+    private static Mesh withScene(Mesh mesh, String scene) {
+        return mesh.withGeometry(new Geometry.OfFile(file(mesh), scene));
     }
 
     private static Shape shape(Mesh mesh) {

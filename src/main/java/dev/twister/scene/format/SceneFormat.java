@@ -1,5 +1,6 @@
 package dev.twister.scene.format;
 
+import static dev.twister.scene.format.Field.optional;
 import static dev.twister.scene.format.Field.required;
 import static dev.twister.scene.format.Field.sparse;
 import static dev.twister.scene.format.Field.written;
@@ -88,32 +89,36 @@ final class SceneFormat {
                             CameraKeyframe::seconds,
                             CameraKeyframe::withSeconds),
                     required("position", POSITION, CameraKeyframe::position, CameraKeyframe::withPosition),
-                    required("yaw", new Decimal(SceneLimits.YAW), CameraKeyframe::yawDegrees, CameraKeyframe::withYaw),
+                    required(
+                            "yaw",
+                            new Decimal(SceneLimits.YAW),
+                            CameraKeyframe::yawDegrees,
+                            CameraKeyframe::withYawDegrees),
                     required(
                             "pitch",
                             new Decimal(SceneLimits.PITCH),
                             CameraKeyframe::pitchDegrees,
-                            CameraKeyframe::withPitch),
-                    sparse(
+                            CameraKeyframe::withPitchDegrees),
+                    optional(
                             "fieldOfView",
-                            ValueType.present(new Decimal(SceneLimits.FIELD_OF_VIEW)),
+                            new Decimal(SceneLimits.FIELD_OF_VIEW),
                             CameraKeyframe::fieldOfViewDegrees,
-                            CameraKeyframe::withFieldOfView),
-                    sparse(
+                            CameraKeyframe::withFieldOfViewDegrees),
+                    optional(
                             "focusDistance",
-                            ValueType.present(new Decimal(SceneLimits.FOCUS_DISTANCE)),
+                            new Decimal(SceneLimits.FOCUS_DISTANCE),
                             CameraKeyframe::focusDistance,
                             CameraKeyframe::withFocusDistance)));
 
     private static final List<Field<Camera, ?>> CAMERA = List.of(
             required("position", POSITION, Camera::position, Camera::withPosition),
-            required("yaw", new Decimal(SceneLimits.YAW), Camera::yawDegrees, Camera::withYaw),
-            required("pitch", new Decimal(SceneLimits.PITCH), Camera::pitchDegrees, Camera::withPitch),
+            required("yaw", new Decimal(SceneLimits.YAW), Camera::yawDegrees, Camera::withYawDegrees),
+            required("pitch", new Decimal(SceneLimits.PITCH), Camera::pitchDegrees, Camera::withPitchDegrees),
             required(
                     "fieldOfView",
                     new Decimal(SceneLimits.FIELD_OF_VIEW),
                     Camera::fieldOfViewDegrees,
-                    Camera::withFieldOfView),
+                    Camera::withFieldOfViewDegrees),
             sparse("aperture", new Decimal(SceneLimits.APERTURE), Camera::aperture, Camera::withAperture)
                     .from(2),
             sparse(
@@ -190,11 +195,7 @@ final class SceneFormat {
             required("position", POSITION, Light::position, Light::withPosition),
             required("radius", LENGTH, Light::radius, Light::withRadius),
             required("color", ValueType.color(SceneLimits.RADIANCE), Light::color, Light::withColor),
-            sparse(
-                            "strength",
-                            ValueType.present(new Decimal(SceneLimits.LIGHT_STRENGTH)),
-                            Light::strength,
-                            Light::withStrength)
+            optional("strength", new Decimal(SceneLimits.LIGHT_STRENGTH), Light::strength, Light::withStrength)
                     .from(LIGHTS_SINCE),
             sparse("share", new Decimal(SceneLimits.LIGHT_SHARE), Light::share, Light::withShare)
                     .from(LIGHTS_SINCE),
@@ -222,7 +223,7 @@ final class SceneFormat {
                     "shadowSamples",
                     new WholeNumber(SceneLimits.SHADOW_SAMPLES),
                     Rendering::shadowSamples,
-                    Rendering::withShadows),
+                    Rendering::withShadowSamples),
             written("bounces", new WholeNumber(SceneLimits.BOUNCES), Rendering::bounces, Rendering::withBounces),
             written(
                     "samplesPerPixel",
@@ -327,11 +328,11 @@ final class SceneFormat {
                         Ground::material,
                         (plane, material) -> plane.withMaterial(material).withOddColor(material.color()))
                 .from(2);
-        Field<Ground, Optional<Rgb>> oddColor = Field.<Ground, Optional<Rgb>>sparse(
+        Field<Ground, Optional<Rgb>> oddColor = optional(
                         "oddColor",
-                        ValueType.present(ALBEDO),
+                        ALBEDO,
                         plane -> Optional.of(plane.oddColor()).filter(color -> !color.equals(plane.evenColor())),
-                        (plane, color) -> plane.withOddColor(color.orElseThrow()))
+                        Ground::withOddColor)
                 .from(2);
         return new Shaped<>(
                 MATERIAL,
@@ -375,23 +376,19 @@ final class SceneFormat {
     private Shaped<Mesh> mesh(Mesh defaults, List<Field<Mesh, ?>> triangles, List<Field<Mesh, ?>> shading) {
         List<Field<Mesh, ?>> placement = List.of(
                 sparse("position", POSITION, Mesh::position, Mesh::withPosition).from(2),
-                sparse("rotation", ValueType.angles(SceneLimits.ROTATION), Mesh::rotation, Mesh::withRotation)
+                sparse("rotation", ValueType.rotation(SceneLimits.ROTATION), Mesh::rotation, Mesh::withRotation)
                         .from(2),
                 sparse("scale", new Decimal(SceneLimits.SCALE), Mesh::scale, Mesh::withScale)
                         .from(2));
         List<Field<Mesh, ?>> tags = tags(Mesh::tag, Mesh::withTag);
         Field<Mesh, Material> name = Field.<Mesh, Material>required(
-                        MATERIAL,
-                        named,
-                        mesh -> mesh.material().orElseThrow(),
-                        (mesh, material) -> mesh.withMaterial(Optional.of(material)))
+                        MATERIAL, named, mesh -> mesh.material().orElseThrow(), Mesh::withMaterial)
                 .from(2);
-        Field<Mesh, Optional<Rgb>> color = Field.<Mesh, Optional<Rgb>>sparse(
+        Field<Mesh, Optional<Rgb>> color = Field.<Mesh, Rgb>optional(
                         "color",
-                        ValueType.present(ALBEDO),
+                        ALBEDO,
                         mesh -> mesh.material().map(Material::color),
-                        (mesh, given) ->
-                                mesh.withMaterial(Optional.of(mesh.own().withColor(given.orElseThrow()))))
+                        (mesh, given) -> mesh.withMaterial(mesh.own().withColor(given)))
                 .from(2);
         return new Shaped<>(
                 MATERIAL,
@@ -403,9 +400,7 @@ final class SceneFormat {
                                 placement,
                                 shading,
                                 List.of(color),
-                                uncolored
-                                        .optional()
-                                        .within(Mesh::own, (mesh, own) -> mesh.withMaterial(Optional.of(own))),
+                                uncolored.optional().within(Mesh::own, Mesh::withMaterial),
                                 tags)),
                 mesh -> mesh.material().filter(named::have).isPresent());
     }
@@ -487,7 +482,7 @@ final class SceneFormat {
                                         "skyRotation",
                                         new Decimal(SceneLimits.SKY_ROTATION),
                                         Sky::rotationDegrees,
-                                        Sky::withRotation)
+                                        Sky::withRotationDegrees)
                                 .within(Scene::sky, Scene::withSky),
                         sparse("skyStrength", new Decimal(SceneLimits.SKY_STRENGTH), Sky::strength, Sky::withStrength)
                                 .within(Scene::sky, Scene::withSky),
@@ -498,11 +493,7 @@ final class SceneFormat {
                                 Scene::rendering,
                                 Scene::withRendering),
                         sparse("physics", PHYSICS, Scene::physics, Scene::withPhysics),
-                        sparse(
-                                "pour",
-                                ValueType.present(pour()),
-                                Scene::pour,
-                                (scene, pour) -> scene.withPour(pour.orElseThrow())),
+                        optional("pour", pour(), Scene::pour, Scene::withPour),
                         required(
                                 "spheres",
                                 new Lines<>(new Array<>(

@@ -3,6 +3,7 @@ package dev.twister.scene.format;
 import dev.twister.scene.LightGroup;
 import dev.twister.scene.Range;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Vector3;
 import java.io.File;
@@ -359,11 +360,11 @@ sealed interface ValueType<T>
                 vector -> List.of(vector.x(), vector.y(), vector.z()));
     }
 
-    static ValueType<Vector3> angles(Range range) {
+    static ValueType<Rotation> rotation(Range range) {
         return new Converted<>(
                 new Array<>(new Decimal(range), 3, 3, "an array of 3 numbers [yaw, pitch, roll]"),
-                axes -> new Vector3(axes.get(1), axes.get(0), axes.get(2)),
-                vector -> List.of(vector.y(), vector.x(), vector.z()));
+                angles -> new Rotation(angles.get(0), angles.get(1), angles.get(2)),
+                turn -> List.of(turn.yawDegrees(), turn.pitchDegrees(), turn.rollDegrees()));
     }
 
     static ValueType<Rgb> color(Range range) {

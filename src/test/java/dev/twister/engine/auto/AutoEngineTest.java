@@ -381,7 +381,7 @@ class AutoEngineTest {
     }
 
     private FrameInput ofShadows(int samples) {
-        world.setSettings(world.settings().withShadows(samples));
+        world.setSettings(world.settings().withShadowSamples(samples));
         return world.snapshot();
     }
 

@@ -112,8 +112,10 @@ final class DeclinedTest {
                 .withSpheres(List.of(
                         Sphere.of(new Vector3(0, sphereHeight, 0), 1, new Rgb(0.8, 0.7, 0.6), 20),
                         Sphere.of(new Vector3(2.5, sphereHeight, 1), 1, new Rgb(0.4, 0.7, 0.6), 90)))
-                .withRendering(
-                        scene.rendering().withSize(151, 87).withShadows(40).withBounces(2));
+                .withRendering(scene.rendering()
+                        .withSize(151, 87)
+                        .withShadowSamples(40)
+                        .withBounces(2));
         FrameInput input = World.of(lit, SkyboxReader.read(lit.sky().file())).snapshot();
         for (int crowd : new int[] {ALWAYS_WALK, NEVER_WALK}) {
             try (Engine vector = WidthLoader.openForCrowds(bits, 2, crowd);
@@ -156,9 +158,9 @@ final class DeclinedTest {
         }
     }
 
-    /** Textured and glass meshes, glass spheres and the lens. */
+    /** Textured, glass and metallic meshes, glass and metallic spheres and the lens. */
     @ParameterizedTest
-    @ValueSource(strings = {"bokeh", "gallery", "glass"})
+    @ValueSource(strings = {"bokeh", "gallery", "glass", "knot", "metals"})
     void shippedSceneIsDrawnWithoutTheKernel(String name) {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
         SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
@@ -202,7 +204,8 @@ final class DeclinedTest {
     private static FrameInput shipped(String name) {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
         World world = World.of(scene, SkyboxReader.read(scene.sky().file()));
-        world.setSettings(world.settings().withSize(151, 87).withShadows(9).withBounces(2));
+        world.setSettings(
+                world.settings().withSize(151, 87).withShadowSamples(9).withBounces(2));
         return world.snapshot();
     }
 

@@ -114,7 +114,7 @@ final class ExtremesTest {
     private static Rendering settings(int width, int height) {
         return Rendering.DEFAULT
                 .withSize(width, height)
-                .withShadows(16)
+                .withShadowSamples(16)
                 .withBounces(0)
                 .withSamplesPerPixel(1);
     }

@@ -25,15 +25,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Glass, rough surfaces, textures and the lens in lanes equal the scalar kernel's, in random scenes and also with
- * cameras inside glass.
+ * Glass, metals, rough surfaces, textures and the lens in lanes equal the scalar kernel's, in random scenes and also
+ * with cameras inside glass.
  */
 final class MaterialsInLanesTest {
     private static final int NEVER_WALK = Integer.MAX_VALUE;
@@ -45,6 +44,7 @@ final class MaterialsInLanesTest {
         TEXTURES,
         ROUGH,
         GLASS,
+        METALS,
         LENS,
         ALL
     }
@@ -110,7 +110,7 @@ final class MaterialsInLanesTest {
     private static Material material(Material plain, Random random, Kind kind) {
         Material material = plain;
         if (random.nextBoolean() && (kind == Kind.TEXTURES || kind == Kind.ALL)) {
-            material = material.withTexture(Optional.of(FILE));
+            material = material.withTexture(FILE);
         }
         if (random.nextBoolean() && (kind == Kind.ROUGH || kind == Kind.ALL)) {
             material = material.withRoughness(random.nextInt(4) == 0 ? 1 : random.nextDouble());
@@ -118,6 +118,9 @@ final class MaterialsInLanesTest {
         if (random.nextBoolean() && (kind == Kind.GLASS || kind == Kind.ALL)) {
             material = material.withTransmission(random.nextBoolean() ? 1 : random.nextDouble())
                     .withIor(random.nextInt(5) == 0 ? 1 : 1 + 3 * random.nextDouble());
+        }
+        if (random.nextBoolean() && (kind == Kind.METALS || kind == Kind.ALL)) {
+            material = material.withMetallic(random.nextBoolean() ? 1 : random.nextDouble());
         }
         return material;
     }

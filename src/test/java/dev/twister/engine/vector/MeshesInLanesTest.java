@@ -21,6 +21,7 @@ import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
@@ -32,7 +33,6 @@ import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -90,7 +90,7 @@ class MeshesInLanesTest {
                     World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
                     world.setSettings(world.settings()
                             .withSize(151, 87)
-                            .withShadows(shadowSamples)
+                            .withShadowSamples(shadowSamples)
                             .withBounces(3));
                     assertThat(difference(engine, world.snapshot())).as(name).matches(PictureDifference::isWithinBound);
                 }
@@ -121,16 +121,16 @@ class MeshesInLanesTest {
     void facesInOnePlaneAreTheKernels(int bits, int crowd) {
         Mesh face = Mesh.of(Path.of("face"))
                 .withPosition(new Vector3(0, 1.5, 0))
-                .withRotation(new Vector3(35, 20, 10))
-                .withMaterial(Optional.of(Material.DEFAULT.withColor(new Rgb(1, 0, 0))));
+                .withRotation(new Rotation(20, 35, 10))
+                .withMaterial(Material.DEFAULT.withColor(new Rgb(1, 0, 0)));
         Mesh same = face.withGeometry(new Geometry.OfFile(Path.of("same")))
-                .withMaterial(Optional.of(Material.DEFAULT.withColor(new Rgb(0, 0, 1))));
+                .withMaterial(Material.DEFAULT.withColor(new Rgb(0, 0, 1)));
         Scene scene = opaque(new Random(1))
                 .scene()
                 .withGround(Ground.of(30, 0, WHITE, WHITE, 40))
                 .withMeshes(List.of(face, same))
                 .withRendering(
-                        Rendering.DEFAULT.withSize(151, 87).withShadows(1).withBounces(2));
+                        Rendering.DEFAULT.withSize(151, 87).withShadowSamples(1).withBounces(2));
         TriangleMesh square = MeshShapes.square();
         TriangleMesh other =
                 new TriangleMesh(square.positions(), new float[0], new float[0], new int[] {0, 2, 3, 0, 3, 1});
@@ -150,9 +150,10 @@ class MeshesInLanesTest {
                     .withPosition(
                             new Vector3(4 * random.nextDouble() - 2, 1 + random.nextDouble(), random.nextDouble()))
                     .withScale(0.3 + random.nextDouble())
-                    .withMaterial(Optional.of(Material.DEFAULT
+                    .withMaterial(Material.DEFAULT
                             .withColor(new Rgb(random.nextDouble(), 0.6, 0.4))
-                            .withReflectivity(128 * random.nextDouble()))));
+                            .withReflectivity(128 * random.nextDouble())
+                            .withMetallic(random.nextBoolean() ? 0 : random.nextDouble())));
         }
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0.3, 2.2, -6), 3, 10, 45))
@@ -162,7 +163,7 @@ class MeshesInLanesTest {
                 .withMeshes(placed)
                 .withRendering(Rendering.DEFAULT
                         .withSize(87, 53)
-                        .withShadows(1 + 8 * random.nextInt(3))
+                        .withShadowSamples(1 + 8 * random.nextInt(3))
                         .withBounces(random.nextInt(4)));
         MeshFile file = MeshShapes.file(MeshShapes.blob(random, 1 + random.nextInt(3)));
         return new LitScene(scene, SceneImages.of(SKY), SceneMeshes.of(scene, _ -> file));

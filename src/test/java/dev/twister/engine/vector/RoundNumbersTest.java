@@ -100,8 +100,10 @@ final class RoundNumbersTest {
                 .withCamera(Camera.of(position, yaw, pitch, fieldOfView))
                 .withLights(Lights.of(Light.of(new Vector3(3, 170, -3), 0.5, new Rgb(1, 1, 1))))
                 .withGround(Ground.of(size, 0, BRIGHT, DARK, 0))
-                .withRendering(
-                        Rendering.DEFAULT.withSize(WIDTH, HEIGHT).withShadows(1).withBounces(1));
+                .withRendering(Rendering.DEFAULT
+                        .withSize(WIDTH, HEIGHT)
+                        .withShadowSamples(1)
+                        .withBounces(1));
         int[] argb = argb(sequential, scene);
         PictureDifference difference = PictureDifference.between(argb(vector, scene), argb);
         assertThat(difference)

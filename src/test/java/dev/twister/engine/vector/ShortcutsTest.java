@@ -59,7 +59,7 @@ final class ShortcutsTest {
     private static FrameInput shipped(String name) {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
         World world = World.of(scene, SkyboxReader.read(scene.sky().file()));
-        world.setSettings(world.settings().withSize(320, 180).withShadows(64));
+        world.setSettings(world.settings().withSize(320, 180).withShadowSamples(64));
         return world.snapshot();
     }
 }

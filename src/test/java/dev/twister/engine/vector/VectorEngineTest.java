@@ -82,7 +82,8 @@ final class VectorEngineTest {
         Path sky = Path.of("skyboxes", "day.hdr");
         Scene scene = SceneGenerator.spheres(50_000, 7, sky);
         World world = World.of(scene, SkyboxReader.read(sky));
-        world.setSettings(world.settings().withSize(480, 270).withShadows(1).withBounces(3));
+        world.setSettings(
+                world.settings().withSize(480, 270).withShadowSamples(1).withBounces(3));
         try (Engine vector = WidthLoader.open(FloatVector.SPECIES_PREFERRED.vectorBitSize(), 2)) {
             assertSame(vector, world.snapshot());
         }
@@ -189,14 +190,15 @@ final class VectorEngineTest {
                 .withGround(Ground.of(60, 0, white, white, 0))
                 .withSpheres(List.of(Sphere.of(new Vector3(9.280179716, 15.594533048, -3.854969045), radius, white, 0)))
                 .withShading(new Shading(0.05))
-                .withRendering(Rendering.DEFAULT.withSize(96, 96).withShadows(4).withBounces(0));
+                .withRendering(
+                        Rendering.DEFAULT.withSize(96, 96).withShadowSamples(4).withBounces(0));
     }
 
     @ParameterizedTest
     @MethodSource("widthsAndSizes")
     void fillsPicturesOfAnySize(int bits, int width, int height) {
         World world = shipped("teaching");
-        world.setSettings(world.settings().withSize(width, height).withShadows(5));
+        world.setSettings(world.settings().withSize(width, height).withShadowSamples(5));
         assertSame(bits, world.snapshot());
     }
 
@@ -257,12 +259,12 @@ final class VectorEngineTest {
 
     private static FrameInput narrowView(World world, Random random) {
         world.setCamera(world.camera()
-                .withYaw(360 * random.nextDouble())
-                .withPitch(60 * random.nextDouble() - 30)
-                .withFieldOfView(2 + 16 * random.nextDouble()));
+                .withYawDegrees(360 * random.nextDouble())
+                .withPitchDegrees(60 * random.nextDouble() - 30)
+                .withFieldOfViewDegrees(2 + 16 * random.nextDouble()));
         world.setSettings(world.settings()
                 .withSize(80 + random.nextInt(30), 60 + random.nextInt(30))
-                .withShadows(4)
+                .withShadowSamples(4)
                 .withBounces(random.nextInt(4))
                 .withSamplesPerPixel(1 + random.nextInt(2)));
         return world.snapshot();

@@ -25,7 +25,6 @@ import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Random;
 import java.util.function.Supplier;
 import jdk.incubator.vector.FloatVector;
@@ -160,7 +159,7 @@ final class WholeRangesTest {
         Scene scene = setup.scene();
         Ground plane = scene.ground();
         Scene plain = scene.withGround(plane.withOddColor(plane.evenColor())
-                .withMaterial(plane.material().withTexture(Optional.empty())));
+                .withMaterial(plane.material().withoutTexture()));
         Scene dim = scene.withRendering(scene.rendering().withExposure(0))
                 .withSky(scene.sky().withStrength(1));
         if (difference(engine, sequential, setup.with(plain)).isWithinBound()) {

@@ -36,7 +36,7 @@ class LivingTexturesTest {
         file = folder.resolve("texture.png");
         write(0);
         Sphere ball = Sphere.of(new Vector3(0, 0, 0), 1, new Rgb(1, 1, 1), 0)
-                .withMaterial(Material.DEFAULT.withTexture(Optional.of(file)));
+                .withMaterial(Material.DEFAULT.withTexture(file));
         scene = Scene.under(sky).withSpheres(List.of(ball));
     }
 

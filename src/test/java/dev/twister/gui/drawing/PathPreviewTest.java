@@ -17,27 +17,66 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** Path tracing in the window, with an engine that takes a microsecond per sample by a clock of its own. */
+/**
+ * Path tracing in the window, with an engine that takes a microsecond per sample by a clock of its own. The engine
+ * waits for the test before each picture, so no picture is missed.
+ */
 class PathPreviewTest {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 720;
     private static final Duration LIMIT = Duration.ofMinutes(5);
 
     private final AtomicLong nanos = new AtomicLong();
+    private final Turns turns = new Turns();
     private final EngineOffer paced = EngineOffer.working("paced", "a test", "gray", Paced::new);
     private final SkyShelf skies = new SkyShelf();
     private final DrawingLoop loop =
             new DrawingLoop(skies, new MeshShelf(SceneMeshes.reader(skies::warn)), paced, nanos::get);
     private final Scene scene = traced(WindowScenes.tiny());
     private long requests;
+
+    /** Lets a renderer go on when the test has seen its last picture. */
+    private static final class Turns {
+        private final Semaphore waiting = new Semaphore(0);
+        private final Semaphore given = new Semaphore(0);
+
+        /** On the renderer's thread: waits for a turn. */
+        void await() {
+            waiting.release();
+            given.acquireUninterruptibly();
+        }
+
+        /** Whether a renderer waits, or comes to wait within a millisecond. */
+        boolean areAwaited() {
+            try {
+                boolean waits = waiting.tryAcquire(1, TimeUnit.MILLISECONDS);
+                if (waits) {
+                    waiting.release();
+                }
+                return waits;
+            } catch (InterruptedException problem) {
+                throw new IllegalStateException(problem);
+            }
+        }
+
+        void give() {
+            waiting.acquireUninterruptibly();
+            given.release();
+        }
+
+        /** From now on nobody waits. */
+        void end() {
+            given.release(Integer.MAX_VALUE / 2);
+        }
+    }
 
     private final class Paced implements Engine {
         private int frames;
@@ -54,6 +93,7 @@ class PathPreviewTest {
 
         @Override
         public void render(FrameInput input, Frame frame) {
+            turns.await();
             long samples = (long) frame.width() * frame.height() * input.samplesPerPixel();
             nanos.addAndGet(TimeUnit.MICROSECONDS.toNanos(samples));
             frames++;
@@ -85,6 +125,7 @@ class PathPreviewTest {
     @AfterEach
     void end() throws InterruptedException {
         loop.close();
+        turns.end();
         assertThat(loop.awaitEnd(LIMIT)).isTrue();
     }
 
@@ -176,8 +217,11 @@ class PathPreviewTest {
         Optional<DrawnPicture> shown = Optional.empty();
         while (shown.filter(wanted).isEmpty()) {
             assertThat(System.nanoTime()).as("the time is over").isLessThan(end);
-            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
+            boolean waiting = turns.areAwaited();
             shown = loop.takeNewest();
+            if (waiting && shown.filter(wanted).isEmpty()) {
+                turns.give();
+            }
         }
         return shown.orElseThrow();
     }

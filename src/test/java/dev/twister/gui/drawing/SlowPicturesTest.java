@@ -76,14 +76,14 @@ class SlowPicturesTest {
 
     private static FrameInput input(int width, int height, int shadowSamples) {
         World world = World.of(WindowScenes.tiny(), new Skybox(1, 1, new float[3]));
-        world.setSettings(world.settings().withSize(width, height).withShadows(shadowSamples));
+        world.setSettings(world.settings().withSize(width, height).withShadowSamples(shadowSamples));
         return world.snapshot();
     }
 
     private static FrameInput withSamplesPerPixel(int samples) {
         World world = World.of(WindowScenes.tiny(), new Skybox(1, 1, new float[3]));
         world.setSettings(
-                world.settings().withSize(WIDTH, HEIGHT).withShadows(1).withSamplesPerPixel(samples));
+                world.settings().withSize(WIDTH, HEIGHT).withShadowSamples(1).withSamplesPerPixel(samples));
         return world.snapshot();
     }
 

@@ -21,7 +21,7 @@ class AxisHandleTest {
         assertThat(handles(scene, new Vector3(0, 2, 0)))
                 .extracting(AxisHandle::axis)
                 .containsExactly(Axis.X, Axis.Y);
-        assertThat(handles(scene.withCamera(scene.camera().withYaw(40)), new Vector3(4, 2, 0)))
+        assertThat(handles(scene.withCamera(scene.camera().withYawDegrees(40)), new Vector3(4, 2, 0)))
                 .extracting(AxisHandle::axis)
                 .containsExactly(Axis.X, Axis.Y, Axis.Z);
     }

@@ -14,7 +14,6 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class BodyChoicesTest {
@@ -41,7 +40,7 @@ class BodyChoicesTest {
         Mesh knot = Mesh.of(Path.of("some", "knot.obj"));
         Material glass = Material.DEFAULT.withTransmission(1);
         Scene meshes = scene.withMaterials(new LinkedHashMap<>(Map.of("glass", glass)))
-                .withMeshes(List.of(knot, knot.withMaterial(Optional.of(glass))));
+                .withMeshes(List.of(knot, knot.withMaterial(glass)));
         int first = BodyNumber.ofMesh(0);
 
         assertThat(BodyChoices.of(meshes, SelectedBodies.NONE)).endsWith(3, first, first + 1);

@@ -11,7 +11,6 @@ import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Optional;
 import java.util.SequencedMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -82,7 +81,7 @@ class BodyMaterialsTest {
     @ParameterizedTest
     @EnumSource
     void aPresetIsKnownAgainWhateverTheColorAndTheTexture(MaterialPreset preset) {
-        Material painted = STEEL.withColor(new Rgb(1, 0, 0)).withTexture(Optional.of(Path.of("earth.png")));
+        Material painted = STEEL.withColor(new Rgb(1, 0, 0)).withTexture(Path.of("earth.png"));
 
         Material applied = preset.appliedTo(painted);
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Vector3;
@@ -13,7 +14,7 @@ import org.junit.jupiter.api.Test;
 class BodyTransformTest {
     private static final Vector3 UP = new Vector3(0, 1, 0);
     private static final Scene SCENE = Scenes.scene()
-            .withMeshes(List.of(Mesh.of(Shape.of(Shape.Kind.BOX, 1)).withRotation(new Vector3(10, 20, 30))));
+            .withMeshes(List.of(Mesh.of(Shape.of(Shape.Kind.BOX, 1)).withRotation(new Rotation(20, 10, 30))));
     private static final int BALL = BodyNumber.ofSphere(0);
     private static final int OTHER = BodyNumber.ofSphere(1);
     private static final int BOX = BodyNumber.ofMesh(0);
@@ -42,7 +43,7 @@ class BodyTransformTest {
     @Test
     void aTurnAboutTheUprightAxisIsAddedToTheYaw() {
         assertThat(BodyEdits.mesh(of(BOX).rotated(SCENE, UP, 25), BOX).rotation())
-                .isEqualTo(new Vector3(10, 45, 30));
+                .isEqualTo(new Rotation(45, 10, 30));
     }
 
     @Test
@@ -52,11 +53,10 @@ class BodyTransformTest {
         Scene back =
                 BodyTransform.of(there, SelectedBodies.of(BOX)).orElseThrow().rotated(there, askew, -100);
 
-        assertThat(BodyEdits.mesh(back, BOX)
-                        .rotation()
-                        .minus(new Vector3(10, 20, 30))
-                        .length())
-                .isLessThan(1e-4);
+        Rotation rotation = BodyEdits.mesh(back, BOX).rotation();
+        assertThat(rotation.yawDegrees()).isCloseTo(20, within(1e-4));
+        assertThat(rotation.pitchDegrees()).isCloseTo(10, within(1e-4));
+        assertThat(rotation.rollDegrees()).isCloseTo(30, within(1e-4));
     }
 
     @Test

@@ -15,7 +15,7 @@ class KeyframeEditsTest {
     }
 
     private static Scene turned(Scene scene, double yaw) {
-        return scene.withCamera(scene.camera().withYaw(yaw));
+        return scene.withCamera(scene.camera().withYawDegrees(yaw));
     }
 
     @Test

@@ -20,7 +20,7 @@ class SceneHistoryTest {
     private final SceneHistory history = new SceneHistory(start);
 
     private static Scene shadows(Scene scene, int samples) {
-        return scene.withRendering(scene.rendering().withShadows(samples));
+        return scene.withRendering(scene.rendering().withShadowSamples(samples));
     }
 
     private static Scene bounces(Scene scene, int bounces) {
@@ -237,14 +237,14 @@ class SceneHistoryTest {
     void theFieldOfViewIsTakenBackAndIsNothingToSave() {
         Scene scene = start;
         SceneHistory history = new SceneHistory(scene);
-        history.edit("field of view", scene.withCamera(scene.camera().withFieldOfView(33)));
-        Camera walked = history.present().camera().withYaw(12);
+        history.edit("field of view", scene.withCamera(scene.camera().withFieldOfViewDegrees(33)));
+        Camera walked = history.present().camera().withYawDegrees(12);
         history.carryOn(history.present().withCamera(walked));
         assertThat(history.hasChanged()).isFalse();
 
         history.undo();
         assertThat(history.present().camera())
-                .isEqualTo(walked.withFieldOfView(scene.camera().fieldOfViewDegrees()));
+                .isEqualTo(walked.withFieldOfViewDegrees(scene.camera().fieldOfViewDegrees()));
         history.redo();
         assertThat(history.present().camera()).isEqualTo(walked);
     }
@@ -257,14 +257,14 @@ class SceneHistoryTest {
         history.edit(
                 "focus distance",
                 history.present().withCamera(history.present().camera().withFocusDistance(3)));
-        Camera walked = history.present().camera().withYaw(12);
+        Camera walked = history.present().camera().withYawDegrees(12);
         history.carryOn(history.present().withCamera(walked));
 
         history.undo();
         assertThat(history.present().camera())
                 .isEqualTo(walked.withFocusDistance(start.camera().focusDistance()));
         history.undo();
-        assertThat(history.present().camera()).isEqualTo(start.camera().withYaw(12));
+        assertThat(history.present().camera()).isEqualTo(start.camera().withYawDegrees(12));
         assertThat(history.hasChanged()).isFalse();
         history.redo();
         history.redo();

@@ -34,8 +34,10 @@ final class Scenes {
                         Sphere.of(new Vector3(0, 2, 0), 1.5, new Rgb(0.9, 0.2, 0.1), 60),
                         Sphere.of(new Vector3(4, 2, 2), 0.5, new Rgb(0.1, 0.9, 0.2), 0)))
                 .withShading(new Shading(0.2))
-                .withRendering(
-                        Rendering.DEFAULT.withSize(WIDTH, HEIGHT).withShadows(8).withBounces(2));
+                .withRendering(Rendering.DEFAULT
+                        .withSize(WIDTH, HEIGHT)
+                        .withShadowSamples(8)
+                        .withBounces(2));
     }
 
     static FrameInput input(Scene scene) {

@@ -16,7 +16,6 @@ import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
@@ -95,7 +94,7 @@ class SeveralLightsEditsTest {
         assertThat(strength.read(scene)).isEqualTo(LightStrength.usual(RED, scene.ground()));
 
         Scene stated = strength.write(scene, 12);
-        assertThat(stated.lights().get(1)).isEqualTo(RED.withStrength(Optional.of(12.0)));
+        assertThat(stated.lights().get(1)).isEqualTo(RED.withStrength(12.0));
         assertThat(strength.write(stated, strength.read(scene))).isEqualTo(scene);
     }
 

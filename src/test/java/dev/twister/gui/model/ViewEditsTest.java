@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class ViewEditsTest {
     private static final Camera CAMERA = Camera.of(new Vector3(1, 2, 3), 4, 5, 60);
-    private static final Camera OTHER = CAMERA.withYaw(90);
+    private static final Camera OTHER = CAMERA.withYawDegrees(90);
     private static final Scene SCENE = Scene.under(Path.of("sky"))
             .withViews(List.of(new CameraView("Front", CAMERA), new CameraView("View 3", CAMERA)));
 

@@ -47,7 +47,7 @@ class StudioTest {
         studio.setViewSize(SIDE, SIDE);
         DrawingRequest first = awaitRequest(_ -> true);
 
-        Scene shadowed = scene.withRendering(scene.rendering().withShadows(2));
+        Scene shadowed = scene.withRendering(scene.rendering().withShadowSamples(2));
         studio.edit("shadows", _ -> shadowed);
         DrawingRequest edited = awaitRequest(request -> request.scene().equals(shadowed));
         assertThat(edited.document()).isEqualTo(first.document());
@@ -71,7 +71,7 @@ class StudioTest {
     void undoShowsThePresentTimeOfTheFilm() {
         Track exposure = Track.of(TrackTarget.RENDERING, "exposure", Keyframe.of(0, -1), Keyframe.of(4, 3));
         studio.edit("animate", now -> now.withTracks(List.of(exposure)));
-        studio.edit("shadows", now -> now.withRendering(now.rendering().withShadows(2)));
+        studio.edit("shadows", now -> now.withRendering(now.rendering().withShadowSamples(2)));
         studio.film().goTo(4);
         studio.undo();
 
@@ -95,7 +95,7 @@ class StudioTest {
     void theCameraOfTheFirstSceneAndOfOneThatIsOpenedIsLiftedOverThePlane() {
         Camera usual = scene.camera();
         Scene buried = scene.withCamera(
-                usual.withPosition(new Vector3(0, -5, -8)).withYaw(0).withPitch(0));
+                usual.withPosition(new Vector3(0, -5, -8)).withYawDegrees(0).withPitchDegrees(0));
         double lowest = scene.ground().height() + CameraMotion.CLEARANCE_METERS;
         try (Studio first = start(buried)) {
             assertThat(first.scene().camera().position()).isEqualTo(new Vector3(0, lowest, -8));
@@ -110,7 +110,7 @@ class StudioTest {
     @Test
     void cameraThatMovesKeepsItsLens() {
         studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.1).withFocusDistance(3)));
-        studio.moveCamera(camera -> camera.withYaw(90));
+        studio.moveCamera(camera -> camera.withYawDegrees(90));
         studio.hand().goHome();
         assertThat(studio.scene().camera())
                 .isEqualTo(scene.camera().withAperture(0.1).withFocusDistance(3));
@@ -123,7 +123,7 @@ class StudioTest {
         studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.1)));
         studio.hand().keepView(1);
         studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.2)));
-        studio.moveCamera(camera -> camera.withYaw(90));
+        studio.moveCamera(camera -> camera.withYawDegrees(90));
 
         studio.hand().recallView(1);
 
@@ -155,11 +155,11 @@ class StudioTest {
     void aNumberKeyReplacesItsViewOrAddsOneBehindTheLast() {
         studio.hand().keepView(5);
         assertThat(studio.noticeProperty().get()).isEqualTo("View kept under 1: View 1");
-        studio.moveCamera(camera -> camera.withYaw(90));
+        studio.moveCamera(camera -> camera.withYawDegrees(90));
         studio.hand().keepView(1);
 
         assertThat(studio.scene().views())
-                .containsExactly(new CameraView("View 1", scene.camera().withYaw(90)));
+                .containsExactly(new CameraView("View 1", scene.camera().withYawDegrees(90)));
         assertThat(studio.document().editsProperty().get().undoable()).contains("update view");
     }
 

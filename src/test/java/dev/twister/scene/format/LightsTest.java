@@ -11,7 +11,6 @@ import dev.twister.scene.SceneException;
 import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -33,7 +32,7 @@ class LightsTest {
 
         Light lamp = Light.of(new Vector3(1, 2, 3), 0.5, new Rgb(1, 0.5, 0));
         assertThat(scene.lights().list())
-                .containsExactly(lamp, lamp.withStrength(Optional.of(4.0)).withShare(0.25));
+                .containsExactly(lamp, lamp.withStrength(4.0).withShare(0.25));
     }
 
     @Test

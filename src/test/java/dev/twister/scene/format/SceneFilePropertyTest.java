@@ -154,8 +154,11 @@ class SceneFilePropertyTest {
                         .map(sphere -> sphere.withMaterial(withFiles(sphere.material())))
                         .toList())
                 .withMeshes(scene.meshes().stream()
-                        .map(mesh -> mesh.withGeometry(possible(mesh.geometry()))
-                                .withMaterial(mesh.material().map(SceneFilePropertyTest::withFiles)))
+                        .map(mesh -> mesh.withGeometry(possible(mesh.geometry())))
+                        .map(mesh -> mesh.material()
+                                .map(SceneFilePropertyTest::withFiles)
+                                .map(mesh::withMaterial)
+                                .orElse(mesh))
                         .toList());
         return there.pour()
                 .map(pour -> there.withPour(pour.withMaterial(withFiles(pour.material()))))
@@ -165,7 +168,7 @@ class SceneFilePropertyTest {
     // With the file in the folder, or a size that the kind of shape can have.
     private static Geometry possible(Geometry geometry) {
         return switch (geometry) {
-            case Geometry.OfFile(Path path) -> new Geometry.OfFile(FOLDER.resolve(path));
+            case Geometry.OfFile(Path path, String scene) -> new Geometry.OfFile(FOLDER.resolve(path), scene);
             case Shape shape -> {
                 Vector3 size = shape.size().map(side -> Math.max(side, 1e-3));
                 double height = shape.kind() == Shape.Kind.TORUS ? Math.min(size.y(), size.x() / 4) : size.y();
@@ -182,11 +185,19 @@ class SceneFilePropertyTest {
 
     private static Material withFiles(Material material) {
         Maps maps = material.maps();
-        return material.withTexture(material.texture().map(FOLDER::resolve))
-                .withMaps(maps.withEmission(maps.emission().map(SceneFilePropertyTest::withFile))
-                        .withRoughness(maps.roughness().map(SceneFilePropertyTest::withFile))
-                        .withMetallic(maps.metallic().map(SceneFilePropertyTest::withFile))
-                        .withNormal(maps.normal().map(SceneFilePropertyTest::withFile)));
+        Material there = material.texture()
+                .map(FOLDER::resolve)
+                .map(material::withTexture)
+                .orElse(material);
+        return there.withMaps(new Maps(
+                maps.texture(),
+                maps.emission().map(SceneFilePropertyTest::withFile),
+                maps.roughness().map(SceneFilePropertyTest::withFile),
+                maps.metallic().map(SceneFilePropertyTest::withFile),
+                maps.normal().map(SceneFilePropertyTest::withFile),
+                maps.occlusion(),
+                maps.transmission(),
+                maps.alpha()));
     }
 
     private static ImageMap withFile(ImageMap map) {

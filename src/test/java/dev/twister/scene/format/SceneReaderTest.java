@@ -33,7 +33,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.assertj.core.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -64,7 +63,7 @@ class SceneReaderTest {
                         .withShading(new Shading(0.25))
                         .withRendering(Rendering.DEFAULT
                                 .withSize(640, 360)
-                                .withShadows(16)
+                                .withShadowSamples(16)
                                 .withBounces(2)
                                 .withSamplesPerPixel(4)
                                 .withTone(-0.5, ToneMap.ACES, true))
@@ -91,7 +90,7 @@ class SceneReaderTest {
     void readsMaterialsAndTheLens() {
         Scene scene = SceneReader.read(SampleScene.put(folder, SampleScene.MATERIALS));
 
-        Optional<Path> texture = Optional.of(folder.resolve("earth.png"));
+        Path texture = folder.resolve("earth.png");
         Material glass =
                 Material.DEFAULT.withReflectivity(2).withTransmission(0.75).withIor(1.6);
         Material earth = Material.DEFAULT

@@ -55,8 +55,8 @@ public final class WholeRangeScenes {
         double x = body.x() - from.x();
         double z = body.z() - from.z();
         return scene.camera()
-                .withYaw(Math.toDegrees(Math.atan2(x, z)))
-                .withPitch(Math.toDegrees(Math.atan2(from.y() - body.y(), Math.hypot(x, z))));
+                .withYawDegrees(Math.toDegrees(Math.atan2(x, z)))
+                .withPitchDegrees(Math.toDegrees(Math.atan2(from.y() - body.y(), Math.hypot(x, z))));
     }
 
     private static Rendering affordable(Scene scene, Random random) {
@@ -68,7 +68,7 @@ public final class WholeRangeScenes {
         int pixels = (int) Math.clamp(MOST_TESTS / testsAPixel, 64, MOST_PIXELS);
         int width = 1 + random.nextInt(random.nextBoolean() ? 100 : pixels);
         return settings.withSize(width, 1 + pixels / width)
-                .withShadows(shadows)
+                .withShadowSamples(shadows)
                 .withBounces(bounces)
                 .withSamplesPerPixel(samples);
     }

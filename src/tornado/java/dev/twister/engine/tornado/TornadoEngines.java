@@ -82,8 +82,10 @@ public final class TornadoEngines implements EngineProvider {
                 TornadoDevice device = backend.getDevice(index);
                 String id = MissingTornado.TORNADO + ":" + driver + ":" + index;
                 String name = name(device);
-                offers.add(EngineOffer.working(id, name, DESCRIPTION, () -> open(id, name, device))
-                        .withDriver(driverVersion(device.getPhysicalDevice().getDeviceInfo())));
+                EngineOffer offer = EngineOffer.working(id, name, DESCRIPTION, () -> open(id, name, device));
+                offers.add(driverVersion(device.getPhysicalDevice().getDeviceInfo())
+                        .map(offer::withDriver)
+                        .orElse(offer));
             }
         }
         return offers;

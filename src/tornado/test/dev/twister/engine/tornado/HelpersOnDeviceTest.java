@@ -6,6 +6,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.mesh.MeshFile;
 import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
@@ -201,7 +202,7 @@ class HelpersOnDeviceTest {
         for (int i = 0; i < MESHES; i++) {
             placed.add(Mesh.of(Path.of("blob"))
                     .withPosition(new Vector3(2 * i - 2, random.nextDouble(), random.nextDouble()))
-                    .withRotation(new Vector3(40 * i, 70, 10))
+                    .withRotation(new Rotation(70, 40 * i, 10))
                     .withScale(0.5 + random.nextDouble()));
         }
         Scene scene = Scene.under(Path.of("none")).withMeshes(placed);

@@ -56,7 +56,7 @@ final class SceneSamples {
         ToneMap[] toneMaps = ToneMap.values();
         return Rendering.DEFAULT
                 .withSize(width, height)
-                .withShadows(samples[random.nextInt(samples.length)])
+                .withShadowSamples(samples[random.nextInt(samples.length)])
                 .withBounces(random.nextInt(9))
                 .withSamplesPerPixel(1 + random.nextInt(3))
                 .withTone(random.nextInt(3) - 1, toneMaps[random.nextInt(toneMaps.length)], random.nextBoolean());

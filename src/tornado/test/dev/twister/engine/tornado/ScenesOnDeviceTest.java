@@ -61,7 +61,8 @@ class ScenesOnDeviceTest {
     @MethodSource("offers")
     void hierarchyDrawsWhatThePlainLoopDraws(EngineOffer offer) {
         World world = SceneSamples.world(9, 500);
-        world.setSettings(Rendering.DEFAULT.withSize(160, 90).withShadows(16).withBounces(3));
+        world.setSettings(
+                Rendering.DEFAULT.withSize(160, 90).withShadowSamples(16).withBounces(3));
         FrameInput input = world.snapshot();
         try (Engine engine = offer.opener().get()) {
             int[] plain = Pictures.of(engine, input.withLeavesOf(input.bodyCount()));

@@ -13,6 +13,7 @@ import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.ToneMap;
@@ -26,7 +27,6 @@ import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
@@ -38,7 +38,7 @@ class TornadoEngineTest {
     private final World world = SceneSamples.world(3, 6);
 
     private FrameInput input(int width, int height) {
-        world.setSettings(Rendering.DEFAULT.withSize(width, height).withShadows(16));
+        world.setSettings(Rendering.DEFAULT.withSize(width, height).withShadowSamples(16));
         return world.snapshot();
     }
 
@@ -85,12 +85,12 @@ class TornadoEngineTest {
             world.setCamera(Camera.of(new Vector3(2, 1, -14), 10, 5, 70));
             Pictures.requireSequentials(engine, world.snapshot());
             Rendering settings = world.settings();
-            world.setSettings(settings.withShadows(Rendering.MAX_SHADOW_SAMPLES));
+            world.setSettings(settings.withShadowSamples(Rendering.MAX_SHADOW_SAMPLES));
             Pictures.requireSequentials(engine, world.snapshot());
             world.setSettings(settings.withBounces(Rendering.MAX_BOUNCES));
             Pictures.requireSequentials(engine, world.snapshot());
             world.setSettings(settings.withSamplesPerPixel(Rendering.MAX_SAMPLES_PER_PIXEL)
-                    .withShadows(1));
+                    .withShadowSamples(1));
             Pictures.requireSequentials(engine, world.snapshot());
             world.setSettings(settings.withTone(1.5, ToneMap.REINHARD, true));
             Pictures.requireSequentials(engine, world.snapshot());
@@ -177,7 +177,7 @@ class TornadoEngineTest {
             Mesh moved = scene.meshes()
                     .getFirst()
                     .withPosition(new Vector3(-1, 1, 1))
-                    .withRotation(new Vector3(10, 20, 30))
+                    .withRotation(new Rotation(20, 10, 30))
                     .withScale(0.5);
             Pictures.requireSequentials(engine, input(scene.withMeshes(List.of(moved)), cube));
             assertThat(engine.plan()).containsSame(plan);
@@ -214,7 +214,8 @@ class TornadoEngineTest {
     /** Inputs that share one sky. */
     private FrameInput input(Scene scene, SceneMeshes meshes) {
         World shown = World.of(scene, world.images(), meshes);
-        shown.setSettings(Rendering.DEFAULT.withSize(40, 30).withShadows(4).withBounces(2));
+        shown.setSettings(
+                Rendering.DEFAULT.withSize(40, 30).withShadowSamples(4).withBounces(2));
         FrameInput input = shown.snapshot();
         return new FrameInput(input.view(), input.bodies(), world.snapshot().images());
     }
@@ -257,7 +258,7 @@ class TornadoEngineTest {
     @Test
     void movedCameraAndBodiesCopyNeitherMeshesNorImages() {
         Path file = Path.of("texture");
-        Material textured = Material.DEFAULT.withTexture(Optional.of(file));
+        Material textured = Material.DEFAULT.withTexture(file);
         Scene scene = meshScene()
                 .withSpheres(List.of(Sphere.of(new Vector3(1, 1, 1), 0.5, new Rgb(1, 1, 1), 0)
                         .withMaterial(textured)));

@@ -32,7 +32,7 @@ class ViewsOnDeviceTest {
             World world = SceneSamples.world(11, spheres);
             world.setSettings(Rendering.DEFAULT
                     .withSize(80, 45)
-                    .withShadows(9)
+                    .withShadowSamples(9)
                     .withBounces(2)
                     .withSamplesPerPixel(2));
             try (Engine engine = offer.opener().get()) {
@@ -54,7 +54,7 @@ class ViewsOnDeviceTest {
             World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
             world.setSettings(scene.rendering()
                     .withSize(80, 45)
-                    .withShadows(4)
+                    .withShadowSamples(4)
                     .withBounces(3)
                     .withSamplesPerPixel(2));
             try (Engine engine = offer.opener().get()) {
@@ -76,8 +76,11 @@ class ViewsOnDeviceTest {
         Scene scene = SceneReader.read(Path.of("scenes/gallery.json"));
         SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
         World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
-        world.setSettings(
-                scene.rendering().withSize(80, 45).withShadows(9).withBounces(2).withSamplesPerPixel(2));
+        world.setSettings(scene.rendering()
+                .withSize(80, 45)
+                .withShadowSamples(9)
+                .withBounces(2)
+                .withSamplesPerPixel(2));
         try (Engine engine = offer.opener().get()) {
             Pictures.requireSequentialsRadiance(engine, world.snapshot().showing(picture));
         }

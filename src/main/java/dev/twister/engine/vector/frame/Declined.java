@@ -38,9 +38,9 @@ public final class Declined {
     /**
      * Declines nothing until {@code take} is called.
      *
-     * @param bodies the bodies to decline in addition to those that emit, are metallic or have normal, roughness,
-     *     emission or other maps, to transmitting bodies in a crowd and to meshes that have vertex colors or a texture
-     *     that is not filtered or does not repeat
+     * @param bodies the bodies to decline in addition to those that emit or have normal, roughness, emission or other
+     *     maps, to transmitting bodies in a crowd and to meshes that have vertex colors or a texture that is not
+     *     filtered or does not repeat
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
@@ -103,7 +103,7 @@ public final class Declined {
         any = false;
         for (int body = 0; body < count; body++) {
             boolean transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
-            declined[body] = bodies.test(body) || (transmits && crowded) || isTintedOrEmits(body) || hasMaps(body);
+            declined[body] = bodies.test(body) || (transmits && crowded) || emits(body) || hasMaps(body);
             any |= declined[body];
             if (declined[body] && body >= Layout.FIRST_SPHERE) {
                 occluders.add(body);
@@ -111,7 +111,7 @@ public final class Declined {
         }
         for (int body = Math.max(count, firstMesh); body < end; body++) {
             declined[body] = bodies.test(body)
-                    || isTintedOrEmits(body)
+                    || emits(body)
                     || (looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0 && crowded)
                     || hasMaps(body)
                     || isColoredOtherwise(body);
@@ -119,15 +119,12 @@ public final class Declined {
         }
     }
 
-    private boolean isTintedOrEmits(int body) {
+    private boolean emits(int body) {
         int look = Layout.LOOK_STRIDE * body;
         float emission = looks[look + Layout.LOOK_EMISSION]
                 + looks[look + Layout.LOOK_EMISSION + 1]
                 + looks[look + Layout.LOOK_EMISSION + 2];
-        // Fresnel's equations, at -1, decide in path tracing alone.
-        float metallic = looks[look + Layout.LOOK_METALLIC];
-        boolean tinted = metallic != 0 && metallic != -1;
-        return body != Layout.LIGHT && (tinted || emission > 0);
+        return body != Layout.LIGHT && emission > 0;
     }
 
     /** Whether it has maps besides a texture: of emission, roughness, metal, normals, occlusion or transmission. */

@@ -6,10 +6,10 @@ import dev.twister.world.FrameInput;
 
 /** The bodies' material properties beyond color and reflectivity. Reused while the input's array is the same. */
 public final class Looks {
-    /** First and number of the properties that lanes read: from the roughness to the texture. */
+    /** First and number of the properties that lanes read: from the roughness to the metallic part. */
     public static final int FIRST = Layout.LOOK_ROUGHNESS;
 
-    public static final int COUNT = Layout.LOOK_MAPS + 1 - FIRST;
+    public static final int COUNT = Layout.LOOK_METALLIC + 1 - FIRST;
 
     /** {@link Layout#LOOK_STRIDE} floats per body. */
     public float[] values = {};
@@ -29,6 +29,9 @@ public final class Looks {
     /** Whether any body transmits. */
     public boolean transparent;
 
+    /** Whether any body tints what it reflects. */
+    public boolean metallic;
+
     /** Whether the plane has only color and reflectivity. */
     public boolean plainPlane;
 
@@ -47,10 +50,12 @@ public final class Looks {
         textured = false;
         rough = false;
         transparent = false;
+        metallic = false;
         for (int body = 0; body < bodies; body++) {
             textured |= look(body, Layout.LOOK_MAPS) > 0f;
             rough |= look(body, Layout.LOOK_ROUGHNESS) > 0f;
             transparent |= transmits(body);
+            metallic |= isTinting(look(body, Layout.LOOK_METALLIC));
             for (int look = 0; look < COUNT && bodies <= Lanes.COUNT; look++) {
                 columns[Lanes.BORDER + look * Lanes.COUNT + body] = look(body, FIRST + look);
             }
@@ -74,8 +79,18 @@ public final class Looks {
         return transmission(body) > 0f;
     }
 
+    /** Whether a metallic part tints, which is that of a body with Fresnel's equations where negative. */
+    private static boolean isTinting(float metallic) {
+        return metallic != 0f && metallic != -1f;
+    }
+
+    /** Whether secondary rays may be tinted or split, and wait in a tile of branch rays. */
+    public boolean isBranching() {
+        return transparent || metallic;
+    }
+
     /** Whether any body has more than color and reflectivity. */
     public boolean isAny() {
-        return textured || rough || transparent;
+        return textured || rough || isBranching();
     }
 }

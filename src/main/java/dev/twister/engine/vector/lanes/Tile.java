@@ -124,11 +124,12 @@ public final class Tile {
     public static final int TRANSMISSION = DIRECTION_X + 42 * SIZE;
     public static final int IOR = DIRECTION_X + 43 * SIZE;
     public static final int TEXTURE = DIRECTION_X + 44 * SIZE;
+    public static final int METALLIC = DIRECTION_X + 45 * SIZE;
 
     /** The size of the texture in texels. */
-    public static final int TEXTURE_WIDTH = DIRECTION_X + 45 * SIZE;
+    public static final int TEXTURE_WIDTH = DIRECTION_X + 46 * SIZE;
 
-    public static final int TEXTURE_HEIGHT = DIRECTION_X + 46 * SIZE;
+    public static final int TEXTURE_HEIGHT = DIRECTION_X + 47 * SIZE;
 
     /** Texture coordinates on a mesh; valid until the texture's size is known. */
     public static final int TEXTURE_U = TEXTURE_WIDTH;
@@ -136,10 +137,10 @@ public final class Tile {
     public static final int TEXTURE_V = TEXTURE_HEIGHT;
 
     /** Normal of the reflecting microfacet, turned toward the ray's origin. */
-    public static final int FACET_X = DIRECTION_X + 47 * SIZE;
+    public static final int FACET_X = DIRECTION_X + 48 * SIZE;
 
-    public static final int FACET_Y = DIRECTION_X + 48 * SIZE;
-    public static final int FACET_Z = DIRECTION_X + 49 * SIZE;
+    public static final int FACET_Y = DIRECTION_X + 49 * SIZE;
+    public static final int FACET_Z = DIRECTION_X + 50 * SIZE;
 
     /** Column and row of the upper left of the texels around the hit point, from -1 on. */
     public static final int TEXEL_COLUMN = FACET_X;
@@ -165,27 +166,27 @@ public final class Tile {
      * {@link Layout#INSIDE} of the ray, above 0 where it continues inside the body that it leaves; and 1 where it hits
      * the body from inside, else 0.
      */
-    public static final int INSIDE = DIRECTION_X + 50 * SIZE;
+    public static final int INSIDE = DIRECTION_X + 51 * SIZE;
 
-    public static final int FROM_INSIDE = DIRECTION_X + 51 * SIZE;
+    public static final int FROM_INSIDE = DIRECTION_X + 52 * SIZE;
 
     /** The throughput before the surface. */
-    public static final int WHOLE = DIRECTION_X + 52 * SIZE;
+    public static final int WHOLE = DIRECTION_X + 53 * SIZE;
 
     /** Color of the transmitted light, while the albedo holds the color of the untransmitted part. */
-    public static final int PASSED_RED = DIRECTION_X + 53 * SIZE;
+    public static final int PASSED_RED = DIRECTION_X + 54 * SIZE;
 
-    public static final int PASSED_GREEN = DIRECTION_X + 54 * SIZE;
-    public static final int PASSED_BLUE = DIRECTION_X + 55 * SIZE;
+    public static final int PASSED_GREEN = DIRECTION_X + 55 * SIZE;
+    public static final int PASSED_BLUE = DIRECTION_X + 56 * SIZE;
 
     /** Factor for the colors found, in a tile of branch rays; 1 in other tiles. */
-    public static final int TINT_RED = DIRECTION_X + 56 * SIZE;
+    public static final int TINT_RED = DIRECTION_X + 57 * SIZE;
 
-    public static final int TINT_GREEN = DIRECTION_X + 57 * SIZE;
-    public static final int TINT_BLUE = DIRECTION_X + 58 * SIZE;
+    public static final int TINT_GREEN = DIRECTION_X + 58 * SIZE;
+    public static final int TINT_BLUE = DIRECTION_X + 59 * SIZE;
 
     /** Number of the pixel that the ray contributes to. */
-    public static final int PIXEL = DIRECTION_X + 59 * SIZE;
+    public static final int PIXEL = DIRECTION_X + 60 * SIZE;
 
     /** The refracted ray and its part of the throughput; valid once the surface is shaded. */
     public static final int REFRACTED_X = TO_LIGHT_X;
@@ -217,20 +218,26 @@ public final class Tile {
     public static final int LOCAL_Z = TO_LIGHT_Z;
 
     /** The triangle that the ray leaves, where the body is a mesh. */
-    public static final int LEAVING_TRIANGLE = DIRECTION_X + 60 * SIZE;
+    public static final int LEAVING_TRIANGLE = DIRECTION_X + 61 * SIZE;
 
     /** For a mesh hit: instance, triangle and face normal. */
-    public static final int INSTANCE = DIRECTION_X + 61 * SIZE;
+    public static final int INSTANCE = DIRECTION_X + 62 * SIZE;
 
-    public static final int TRIANGLE = DIRECTION_X + 62 * SIZE;
-    public static final int FACE_X = DIRECTION_X + 63 * SIZE;
-    public static final int FACE_Y = DIRECTION_X + 64 * SIZE;
-    public static final int FACE_Z = DIRECTION_X + 65 * SIZE;
+    public static final int TRIANGLE = DIRECTION_X + 63 * SIZE;
+    public static final int FACE_X = DIRECTION_X + 64 * SIZE;
+    public static final int FACE_Y = DIRECTION_X + 65 * SIZE;
+    public static final int FACE_Z = DIRECTION_X + 66 * SIZE;
 
     /** Light samples blocked by meshes, in packets of {@link #meshShadows}; a sample may be blocked in part. */
-    public static final int MESH_BLOCKED = DIRECTION_X + 66 * SIZE;
+    public static final int MESH_BLOCKED = DIRECTION_X + 67 * SIZE;
 
-    private static final int COLUMNS = 67;
+    /** What metals multiply reflected light and highlights by; 1 for other surfaces. */
+    public static final int SHEEN_RED = DIRECTION_X + 68 * SIZE;
+
+    public static final int SHEEN_GREEN = DIRECTION_X + 69 * SIZE;
+    public static final int SHEEN_BLUE = DIRECTION_X + 70 * SIZE;
+
+    private static final int COLUMNS = 71;
 
     /** Columns of {@link #corners}. */
     public static final int UPPER_LEFT = Lanes.BORDER;
@@ -298,6 +305,9 @@ public final class Tile {
 
     /** Packets with transmitting surfaces. */
     public final PacketList transparent = new PacketList(PACKETS);
+
+    /** Packets with metals. */
+    public final PacketList metals = new PacketList(PACKETS);
 
     /** Packets with coherent rays ({@link #TOGETHER}). */
     public final PacketList together = new PacketList(PACKETS);

@@ -60,9 +60,9 @@ public final class BranchLanes {
     static long reflect(Tile tile, int at) {
         float[] t = tile.values;
         FloatVector part = Lanes.load(t, at + Tile.THROUGHPUT);
-        FloatVector red = part.mul(Lanes.load(t, at + Tile.TINT_RED));
-        FloatVector green = part.mul(Lanes.load(t, at + Tile.TINT_GREEN));
-        FloatVector blue = part.mul(Lanes.load(t, at + Tile.TINT_BLUE));
+        FloatVector red = part.mul(Lanes.load(t, at + Tile.TINT_RED)).mul(Lanes.load(t, at + Tile.SHEEN_RED));
+        FloatVector green = part.mul(Lanes.load(t, at + Tile.TINT_GREEN)).mul(Lanes.load(t, at + Tile.SHEEN_GREEN));
+        FloatVector blue = part.mul(Lanes.load(t, at + Tile.TINT_BLUE)).mul(Lanes.load(t, at + Tile.SHEEN_BLUE));
         red.intoArray(t, at + Tile.NEXT_RED);
         green.intoArray(t, at + Tile.NEXT_GREEN);
         blue.intoArray(t, at + Tile.NEXT_BLUE);

@@ -90,7 +90,7 @@ final class GroundAloneTest {
                         .withShading(new Shading(0.05))
                         .withRendering(Rendering.DEFAULT
                                 .withSize(SIDE, SIDE)
-                                .withShadows(4)
+                                .withShadowSamples(4)
                                 .withBounces(0)),
                 new Skybox(1, 1, new float[] {0.5f, 0.5f, 0.5f}));
         drawing.take(world.snapshot(), Frame.ofPixels(SIDE, SIDE), false);

@@ -69,7 +69,7 @@ final class OpenGroundTest {
                 .withShading(new Shading(0.05))
                 .withRendering(Rendering.DEFAULT
                         .withSize(483, 270)
-                        .withShadows(4)
+                        .withShadowSamples(4)
                         .withBounces(bounces)
                         .withSamplesPerPixel(samples));
     }

@@ -57,7 +57,7 @@ final class ShadowRangeTest {
 
     private static Drawing drawing(int samples) {
         World world = World.of(SCENE, SkyboxReader.read(SCENE.sky().file()));
-        world.setSettings(world.settings().withSize(8, 8).withShadows(samples));
+        world.setSettings(world.settings().withSize(8, 8).withShadowSamples(samples));
         FrameInput input = world.snapshot();
         Drawing drawing = new Drawing();
         drawing.take(input, Frame.ofPixels(input.width(), input.rows()), false);
