@@ -572,7 +572,7 @@ final class SpoiltScenes {
                     true,
                     "\"shape\": \"box\"",
                     "\"file\": \"earth.png\"",
-                    "8:35: $.meshes[0].size goes with \"shape\" only, which is not given here; allowed without it: file, position, rotation, scale, smooth, material, name, group, hidden, locked, color, reflectivity, roughness, metallic, transmission, ior, emission, emissionStrength, doubleSided, lightGroup, attenuationColor, attenuationDistance, texture, emissionMap, roughnessMap, normalMap, alphaMode, alphaCutoff"),
+                    "8:35: $.meshes[0].size goes with \"shape\" only, which is not given here; allowed without it: file, scene, position, rotation, scale, smooth, material, name, group, hidden, locked, color, reflectivity, roughness, metallic, transmission, ior, emission, emissionStrength, doubleSided, lightGroup, attenuationColor, attenuationDistance, texture, emissionMap, roughnessMap, normalMap, alphaMode, alphaCutoff"),
             shape(
                     "neither file nor shape",
                     true,
