@@ -11,6 +11,8 @@ import java.util.Optional;
 
 /** The images of a glTF file, embedded or separate. */
 final class GltfImages {
+    static final String WEBP = "EXT_texture_webp";
+
     private static final String WITHOUT = "; rendered without it";
 
     private final Path file;
@@ -37,12 +39,14 @@ final class GltfImages {
 
     /** The image of a texture; empty, with a warning, if it cannot be used. */
     Optional<Path> ofTexture(GltfPlace texture) throws IOException {
-        if (!texture.at("source").exists()) {
-            warnings.add(texture + " has no PNG or JPEG" + ofExtension(texture) + WITHOUT);
+        GltfPlace webp = texture.at("extensions").at(WEBP).at("source");
+        GltfPlace source = texture.at("source").exists() ? texture.at("source") : webp;
+        if (!source.exists()) {
+            warnings.add(texture + " has no PNG, JPEG or WebP" + ofExtension(texture) + WITHOUT);
             return Optional.empty();
         }
         GltfPlace images = root.at("images");
-        int index = texture.at("source").index(images);
+        int index = source.index(images);
         Optional<Path> known = found.get(index);
         if (known == null) {
             known = usable(images.at(index), index);
