@@ -78,12 +78,13 @@ public final class SystemFileChoice implements FileChoice {
         chooser.getExtensionFilters()
                 .addAll(
                         new ExtensionFilter("As shown: PNG", "*" + PictureFile.PNG),
-                        new ExtensionFilter("Linear radiance: HDR", "*" + PictureFile.HDR));
+                        new ExtensionFilter("Linear radiance: HDR", "*" + PictureFile.HDR),
+                        new ExtensionFilter("Linear radiance: EXR", "*" + PictureFile.EXR));
         Optional<Path> chosen = path(chooser.showSaveDialog(owner));
-        boolean hdr = Optional.ofNullable(chooser.getSelectedExtensionFilter())
-                .filter(filter -> filter.getExtensions().contains("*" + PictureFile.HDR))
-                .isPresent();
-        return chosen.map(file -> ChosenFile.forPicture(file, hdr));
+        String ending = Optional.ofNullable(chooser.getSelectedExtensionFilter())
+                .map(filter -> filter.getExtensions().getFirst().substring(1))
+                .orElse(PictureFile.PNG);
+        return chosen.map(file -> ChosenFile.forPicture(file, ending));
     }
 
     @Override
