@@ -22,6 +22,7 @@ import dev.twister.render.SceneInputs;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
+import dev.twister.scene.VisibleBodies;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -299,7 +300,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         }
         List<String> ids = engineIds();
         BenchmarkPlan plan = limited(quick ? PaperPlan.quick(ids) : PaperPlan.full(ids));
-        Scene scene = SceneFiles.read(SceneFiles.find(sceneName));
+        Scene scene = VisibleBodies.of(SceneFiles.read(SceneFiles.find(sceneName)));
         Path folder = output.orElse(Path.of(PAPER_FOLDER));
         if (Files.exists(folder) && !Files.isDirectory(folder)) {
             throw new BadInputException("--output is " + folder + ", but must be a folder");
@@ -330,7 +331,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         ReportFiles files = new ReportFiles(json, csv);
         files.check();
         Path file = SceneFiles.find(sceneName);
-        Scene scene = SceneFiles.read(file);
+        Scene scene = VisibleBodies.of(SceneFiles.read(file));
         Rendering settings = shading.over(scene.rendering());
         BenchmarkPlan plan = limited(BenchmarkPlan.bySize(
                 engineIds(),
