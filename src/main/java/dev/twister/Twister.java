@@ -8,6 +8,7 @@ import dev.twister.image.Frame;
 import dev.twister.mesh.MeshException;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.VisibleBodies;
 import dev.twister.sky.SkyException;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
@@ -40,8 +41,9 @@ public final class Twister {
      * @throws EngineException where the engine does not work here, or fails
      */
     public static RenderedPicture render(Scene scene, String engine) {
-        SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
-        return render(World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes), engine);
+        Scene visible = VisibleBodies.of(scene);
+        SceneMeshes meshes = SceneMeshes.read(visible, _ -> {});
+        return render(World.of(visible, SceneImages.read(visible, meshes, _ -> {}), meshes), engine);
     }
 
     /**

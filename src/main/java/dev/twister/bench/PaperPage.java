@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** The evaluation as a self-contained HTML page. */
 final class PaperPage {
@@ -60,22 +61,30 @@ final class PaperPage {
     }
 
     private String lead() {
-        Setting first = report.plan().settings(PaperFigure.SIZES).getFirst();
         String repeated = "Twister repeats the evaluation of “" + PublishedFigures.PAPER + "” ("
                 + PublishedFigures.AUTHORS + ") on " + report.machine().processor() + ", "
                 + report.machine().cores() + " cores.";
+        return String.join(
+                " ",
+                Stream.of(repeated, FastestEngines.sentence(report), first())
+                        .filter(text -> !text.isEmpty())
+                        .toList());
+    }
+
+    /** The fastest engine at the paper's first setting, beside the paper. */
+    private String first() {
+        Setting first = report.plan().settings(PaperFigure.SIZES).getFirst();
         return report.engines().stream()
                 .flatMap(engine -> report.find(engine, first).stream())
                 .max(Comparator.comparingDouble(
                         measurement -> measurement.times().fps()))
-                .map(fastest -> repeated + " The fastest engine, " + fastest.engine() + ", renders "
-                        + PlotLook.number(fastest.times().fps()) + " frames per second at "
-                        + first.size().name() + " with hard shadows and one bounce"
+                .map(fastest -> "At " + first.size().name() + " with hard shadows and one bounce, " + fastest.engine()
+                        + " renders " + PlotLook.number(fastest.times().fps()) + " frames per second"
                         + PublishedFigures.fps(first.size())
                                 .map(fps -> "; the paper reports " + PlotLook.number(fps) + " on an "
                                         + PublishedFigures.DEVICE + ".")
                                 .orElse("."))
-                .orElse(repeated);
+                .orElse("");
     }
 
     private String problems() {

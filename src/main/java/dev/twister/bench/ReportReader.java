@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -14,13 +15,9 @@ import tools.jackson.databind.json.JsonMapper;
 /** Reads what {@link JsonReport} has written: a report, or lines of reports. */
 final class ReportReader {
     private static final int MAX_BYTES = 256 << 20;
+    private static final String NO_RESULTS = ": holds no results of 'twister benchmark --json'";
 
-    private final Path file;
-    private final List<TimedRow> rows = new ArrayList<>();
-
-    private ReportReader(Path file) {
-        this.file = file;
-    }
+    private ReportReader() {}
 
     /**
      * The rows of all reports in a file.
@@ -28,21 +25,57 @@ final class ReportReader {
      * @throws IOException naming the file and what is wrong with it
      */
     static List<TimedRow> rows(Path file) throws IOException {
-        ReportReader reader = new ReportReader(file);
-        try (var reports = new JsonMapper().readerFor(JsonNode.class).<JsonNode>readValues(reader.bytes())) {
-            while (reports.hasNextValue()) {
-                reader.add(reports.nextValue());
+        List<TimedRow> rows = reports(file).stream()
+                .flatMap(report -> results(report).stream().flatMap(row -> timed(scene(report), row).stream()))
+                .toList();
+        if (rows.isEmpty()) {
+            throw new IOException(file + NO_RESULTS);
+        }
+        return rows;
+    }
+
+    /**
+     * The reports in a file.
+     *
+     * @throws IOException naming the file and what is wrong with it
+     */
+    static List<JsonNode> reports(Path file) throws IOException {
+        List<JsonNode> reports = new ArrayList<>();
+        try (var values = new JsonMapper().readerFor(JsonNode.class).<JsonNode>readValues(bytes(file))) {
+            while (values.hasNextValue()) {
+                reports.add(values.nextValue());
             }
         } catch (JacksonException problem) {
             throw new IOException(file + ": not valid JSON: " + problem.getOriginalMessage(), problem);
         }
-        if (reader.rows.isEmpty()) {
-            throw new IOException(file + ": holds no results of 'twister benchmark --json'");
+        if (reports.stream().allMatch(report -> results(report).isEmpty())) {
+            throw new IOException(file + NO_RESULTS);
         }
-        return reader.rows;
+        return reports;
     }
 
-    private byte[] bytes() throws IOException {
+    /** The rows of a report, of all its figures. */
+    static List<JsonNode> results(JsonNode report) {
+        List<JsonNode> rows = new ArrayList<>();
+        report.path("results").forEach(rows::add);
+        report.path("figures").forEach(figure -> figure.forEach(rows::add));
+        return rows;
+    }
+
+    /** The scene that was measured. */
+    static String scene(JsonNode report) {
+        return report.path("parameters").path("scene").asString("?");
+    }
+
+    /** Shadow samples and bounces, or paths per pixel. */
+    static String quality(JsonNode row) {
+        return row.has("samplesPerPixel")
+                ? row.path("samplesPerPixel").asString() + " paths"
+                : row.path("shadowSamples").asString() + "/"
+                        + row.path("bounces").asString();
+    }
+
+    private static byte[] bytes(Path file) throws IOException {
         String problem = InputFile.problem(file).orElse("");
         if (!problem.isEmpty()) {
             throw new IOException(file + ": " + problem);
@@ -57,30 +90,20 @@ final class ReportReader {
         }
     }
 
-    private void add(JsonNode report) {
-        String scene = report.path("parameters").path("scene").asString("?");
-        report.path("results").forEach(row -> add(scene, row));
-        report.path("figures").forEach(figure -> figure.forEach(row -> add(scene, row)));
-    }
-
-    private void add(String scene, JsonNode row) {
-        if (row.path("frames").asInt(0) > 0 && row.path("msMedian").asDouble(0) > 0) {
-            String quality = row.has("samplesPerPixel")
-                    ? row.path("samplesPerPixel").asString() + " paths"
-                    : row.path("shadowSamples").asString() + "/"
-                            + row.path("bounces").asString();
-            rows.add(new TimedRow(
-                    String.format(
-                            "%s %s %dx%d %s",
-                            scene,
-                            row.path("engine").asString("?"),
-                            row.path("width").asInt(0),
-                            row.path("height").asInt(0),
-                            quality),
-                    row.path("frames").asInt(),
-                    row.path("msMedian").asDouble(),
-                    row.path("msP95").asDouble(row.path("msMedian").asDouble()),
-                    row.path("samePicture").asBoolean(true)));
-        }
+    private static Optional<TimedRow> timed(String scene, JsonNode row) {
+        return row.path("frames").asInt(0) > 0 && row.path("msMedian").asDouble(0) > 0
+                ? Optional.of(new TimedRow(
+                        String.format(
+                                "%s %s %dx%d %s",
+                                scene,
+                                row.path("engine").asString("?"),
+                                row.path("width").asInt(0),
+                                row.path("height").asInt(0),
+                                quality(row)),
+                        row.path("frames").asInt(),
+                        row.path("msMedian").asDouble(),
+                        row.path("msP95").asDouble(row.path("msMedian").asDouble()),
+                        row.path("samePicture").asBoolean(true)))
+                : Optional.empty();
     }
 }

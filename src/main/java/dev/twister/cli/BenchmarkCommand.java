@@ -12,6 +12,7 @@ import dev.twister.bench.PaperFolder;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.ReportComparison;
 import dev.twister.bench.ReportTable;
+import dev.twister.bench.ResultsPage;
 import dev.twister.bench.Setting;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
@@ -21,6 +22,7 @@ import dev.twister.render.SceneInputs;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
+import dev.twister.scene.VisibleBodies;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -55,8 +57,10 @@ import picocli.CommandLine.Spec;
             "  twister benchmark --paper --quick --output my-machine",
             "  twister benchmark --quick --engine vector --engine parallel --jit c2,graal",
             "  twister benchmark --compare before.json after.json --within 3",
+            "  twister benchmark --page site results.jsonl",
             "",
-            "Exit code 1: an engine failed, its picture differs, or with --compare it became slower."
+            "Exit code 1: an engine failed, its picture differs, with --compare it became slower, or with"
+                    + " --page a result was refused."
         })
 final class BenchmarkCommand implements Callable<Integer> {
     private static final int SHADOW_SAMPLES = 200;
@@ -73,6 +77,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     private static final String PAPER_FOLDER = "twister-paper";
     private static final Set<String> COMPARING =
             Set.of("--compare", "--within", CommonOptions.QUIET, CommonOptions.VERBOSE);
+    private static final Set<String> SHOWING = Set.of("--page", CommonOptions.QUIET, CommonOptions.VERBOSE);
     private static final double SLOWER_PERCENT = 5;
     private static final double MAX_PERCENT = 1000;
     private static final String MAIN_CLASS = BenchmarkCommand.class.getPackageName() + ".Main";
@@ -191,6 +196,15 @@ final class BenchmarkCommand implements Callable<Integer> {
             description = "With --compare: how much slower, beyond the uncertainty, counts as equal (default: 5).")
     private Optional<Double> within = Optional.empty();
 
+    @Option(
+            names = "--page",
+            arity = "2..*",
+            paramLabel = "DIR FILE...",
+            hideParamSyntax = true,
+            description = "Write a page of the results in reports of --json, .json or .jsonl, to a folder, instead of"
+                    + " measuring. Results whose picture was not equal are refused.")
+    private List<Path> shown = List.of();
+
     @Mixin
     private MotionOptions motion;
 
@@ -198,6 +212,9 @@ final class BenchmarkCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         if (!compared.isEmpty()) {
             return compareReports();
+        }
+        if (!shown.isEmpty()) {
+            return showReports();
         }
         if (within.isPresent()) {
             throw new BadInputException("--within requires --compare");
@@ -210,16 +227,34 @@ final class BenchmarkCommand implements Callable<Integer> {
     }
 
     private int compareReports() throws IOException {
-        ParseResult given = spec.commandLine().getParseResult();
-        boolean measures = !given.matchedPositionals().isEmpty()
-                || given.matchedOptions().stream().anyMatch(option -> !COMPARING.contains(option.longestName()));
-        if (measures) {
-            throw new BadInputException("--compare measures nothing: it goes with --within alone");
-        }
+        measuresNothing("--compare", "goes with --within alone", COMPARING);
         double percent = Ranges.check("--within", within.orElse(SLOWER_PERCENT), 0, MAX_PERCENT);
         ReportComparison comparison = ReportComparison.of(compared.getFirst(), compared.getLast(), percent);
         spec.commandLine().getOut().println(comparison.table());
         return comparison.passed() ? ExitCode.OK : ExitCode.FAILED;
+    }
+
+    private int showReports() throws IOException {
+        measuresNothing("--page", "goes with no other option", SHOWING);
+        Path folder = shown.getFirst();
+        if (Files.exists(folder) && !Files.isDirectory(folder)) {
+            throw new BadInputException("--page has " + folder + " first, but must have a folder there");
+        }
+        PaperFolder.make(folder);
+        ResultsPage.Written written = ResultsPage.write(folder, shown.subList(1, shown.size()));
+        PrintWriter out = spec.commandLine().getOut();
+        out.println(written.page() + ": results of " + written.rows() + " engines");
+        written.refused().forEach(line -> out.println("REFUSED: " + line));
+        return written.refused().isEmpty() ? ExitCode.OK : ExitCode.FAILED;
+    }
+
+    private void measuresNothing(String option, String company, Set<String> allowed) {
+        ParseResult given = spec.commandLine().getParseResult();
+        boolean measures = !given.matchedPositionals().isEmpty()
+                || given.matchedOptions().stream().anyMatch(other -> !allowed.contains(other.longestName()));
+        if (measures) {
+            throw new BadInputException(option + " measures nothing: it " + company);
+        }
     }
 
     private int compareJits() throws IOException {
@@ -265,7 +300,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         }
         List<String> ids = engineIds();
         BenchmarkPlan plan = limited(quick ? PaperPlan.quick(ids) : PaperPlan.full(ids));
-        Scene scene = SceneFiles.read(SceneFiles.find(sceneName));
+        Scene scene = VisibleBodies.of(SceneFiles.read(SceneFiles.find(sceneName)));
         Path folder = output.orElse(Path.of(PAPER_FOLDER));
         if (Files.exists(folder) && !Files.isDirectory(folder)) {
             throw new BadInputException("--output is " + folder + ", but must be a folder");
@@ -296,7 +331,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         ReportFiles files = new ReportFiles(json, csv);
         files.check();
         Path file = SceneFiles.find(sceneName);
-        Scene scene = SceneFiles.read(file);
+        Scene scene = VisibleBodies.of(SceneFiles.read(file));
         Rendering settings = shading.over(scene.rendering());
         BenchmarkPlan plan = limited(BenchmarkPlan.bySize(
                 engineIds(),

@@ -7,6 +7,7 @@ import dev.twister.explain.PixelPath;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
+import dev.twister.scene.VisibleBodies;
 import dev.twister.world.World;
 import java.io.PrintWriter;
 import java.util.Optional;
@@ -83,7 +84,7 @@ final class ExplainCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Scene scene = sky.over(SceneFiles.read(SceneFiles.find(sceneName)));
+        Scene scene = sky.over(VisibleBodies.of(SceneFiles.read(SceneFiles.find(sceneName))));
         Rendering settings = settings(scene.rendering());
         Ranges.check("--pixel's column", pixel.column(), 0, settings.width() - 1);
         Ranges.check("--pixel's row", pixel.row(), 0, settings.height() - 1);

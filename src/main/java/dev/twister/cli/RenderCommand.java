@@ -20,6 +20,7 @@ import dev.twister.render.Sampling;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
+import dev.twister.scene.VisibleBodies;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.io.IOException;
@@ -199,7 +200,7 @@ final class RenderCommand implements Callable<Integer> {
         if (mesh.isEmpty() && model.areGiven()) {
             throw new BadInputException("--up, --rotate and --scene are for mesh files, but " + file + " is a scene");
         }
-        Scene scene = sky.over(mesh.isPresent() ? mesh.get().scene() : SceneFiles.read(file));
+        Scene scene = sky.over(mesh.isPresent() ? mesh.get().scene() : VisibleBodies.of(SceneFiles.read(file)));
         Optional<MotionFile> recorded = film.open(scene);
         try {
             RenderOrder order = order(scene, picture, recorded);

@@ -9,6 +9,7 @@ import dev.twister.physics.Simulation;
 import dev.twister.render.FrameRange;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Scene;
+import dev.twister.scene.VisibleBodies;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -81,7 +82,7 @@ final class SimulateCommand implements Callable<Integer> {
         }
         double framesPerSecond = MotionOptions.checkRate(rate);
         Path file = SceneFiles.find(sceneName);
-        Scene scene = SceneFiles.read(file);
+        Scene scene = VisibleBodies.of(SceneFiles.read(file));
         OutputFile.check("--output", output);
         OutputFile.checkKeeps("--output", output, SceneInputs.of(file, scene));
         int kept = record(scene, framesPerSecond);

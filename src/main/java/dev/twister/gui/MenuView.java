@@ -12,6 +12,7 @@ import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.EditState;
 import dev.twister.gui.model.Mnemonics;
 import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.model.TagEdits;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Shape;
@@ -48,7 +49,8 @@ final class MenuView extends MenuBar {
             Command.DUPLICATE,
             Command.INSERT_LIGHT,
             Command.GRAB,
-            Command.SELECT_ALL,
+            Command.HIDE,
+            Command.NEXT,
             Command.RESET,
             Command.INSPECT,
             Command.FRAME,
@@ -95,7 +97,12 @@ final class MenuView extends MenuBar {
             if (group == Group.ADD) {
                 menu.getItems().addAll(1, shapes(insertShape));
             }
-            getMenus().add(menu);
+            if (group == Group.SELECT) {
+                List<MenuItem> edit = getMenus().getLast().getItems();
+                edit.add(edit.indexOf(items.get(Command.HIDE)), menu);
+            } else {
+                getMenus().add(menu);
+            }
         }
         recent.setId("recent");
         List<MenuItem> file = getMenus().getFirst().getItems();
@@ -105,11 +112,14 @@ final class MenuView extends MenuBar {
         check(Command.PAUSE, studio.motion().motionProperty().map(motion -> motion.isOn() && !motion.running()));
         settings.settingsProperty().subscribe(kept -> showRecent(kept.get(WindowSettings.RECENT_SCENES), files));
         studio.document().editsProperty().subscribe(this::showEdits);
-        studio.selection()
-                .bodiesProperty()
-                .subscribe(selected -> items.get(Command.DELETE)
-                        .setDisable(
-                                BodyEdits.deletable(studio.scene(), selected).count() == 0));
+        studio.selection().bodiesProperty().subscribe(_ -> showDeletable(studio));
+        studio.sceneProperty().subscribe(_ -> showDeletable(studio));
+    }
+
+    private void showDeletable(Studio studio) {
+        int count =
+                BodyEdits.deletable(studio.scene(), studio.selection().bodies()).count();
+        items.get(Command.DELETE).setDisable(count == 0);
     }
 
     /** Says why a command does nothing whose key is pressed in the picture. */
@@ -127,15 +137,21 @@ final class MenuView extends MenuBar {
         int selected = studio.selection().active();
         return switch (command) {
             case DELETE ->
-                BodyEdits.isLight(studio.scene(), selected)
-                        ? BodyActions.UNDELETED_LIGHT
-                        : BodyEdits.isPoured(studio.scene(), selected)
-                                ? "A poured sphere can't be deleted"
-                                : "Nothing is selected";
+                TagEdits.of(studio.scene(), selected).locked()
+                        ? "A locked body can't be deleted"
+                        : BodyEdits.isLight(studio.scene(), selected)
+                                ? BodyActions.UNDELETED_LIGHT
+                                : whyNotSolid(studio, selected);
             case UNDO -> "Nothing to undo";
             case REDO, REDO_ALSO -> "Nothing to redo";
             default -> command.label() + " is not possible now";
         };
+    }
+
+    private static String whyNotSolid(Studio studio, int selected) {
+        return BodyEdits.isPoured(studio.scene(), selected)
+                ? "A poured sphere can't be deleted"
+                : "Nothing is selected";
     }
 
     /** Lets go of all it leads to: JavaFX keeps the items of a menu bar with accelerators for ever. */

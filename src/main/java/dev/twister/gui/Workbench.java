@@ -53,6 +53,7 @@ import dev.twister.gui.rendering.RenderActions;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
+import dev.twister.gui.studio.TagActions;
 import dev.twister.world.Picture;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
@@ -96,6 +97,7 @@ final class Workbench implements AutoCloseable {
     private final PixelInspector inspector;
     private final Comparison comparison;
     private final BodyActions bodies;
+    private final TagActions tags;
     private final KeyframeMenu keyframes;
     private final TransformKeys transform;
     private final BoxSelection box;
@@ -136,11 +138,12 @@ final class Workbench implements AutoCloseable {
         gallery = new SceneGallery(stage, settings, files);
         autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
-        viewer = new PictureViewer(stage, options.files(), dialogs, errands);
+        viewer = new PictureViewer(stage, studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
         comparison = new Comparison(studio, studio.assets()::drawingLoop);
         middle.getChildren().add(1, new SplitView(picture, studio, comparison));
         bodies = new BodyActions(studio, errands);
+        tags = new TagActions(studio);
         keyframes = new KeyframeMenu(picture, studio);
         transform = TransformKeys.install(middle, picture, studio);
         box = new BoxSelection(middle, picture, studio);
@@ -164,7 +167,7 @@ final class Workbench implements AutoCloseable {
                         Command.CLIPPING,
                         () -> clipping.shownProperty()
                                 .set(!clipping.shownProperty().get()));
-        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, errands, actions);
+        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, tags, errands, actions);
         panel.foldAsKept(settings);
         menu = new MenuView(studio, settings, files, actions, bodies::insert);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
@@ -338,6 +341,12 @@ final class Workbench implements AutoCloseable {
                 .on(Command.GRAB, () -> transform.start(BodyTransform.Mode.MOVE))
                 .on(Command.ROTATE, () -> transform.start(BodyTransform.Mode.ROTATE))
                 .on(Command.SCALE, () -> transform.start(BodyTransform.Mode.SCALE))
+                .on(Command.HIDE, tags::hide)
+                .on(Command.SHOW_ALL, tags::showAll)
+                .on(Command.LOCK, tags::toggleLock)
+                .on(Command.GROUP, tags::group)
+                .on(Command.UNGROUP, tags::ungroup)
+                .on(Command.SELECT_GROUP, tags::selectGroup)
                 .on(Command.INVERT, studio.selection()::invert)
                 .on(Command.SAME_MATERIAL, studio.selection()::selectSameMaterial)
                 .on(Command.BOX, box::arm)

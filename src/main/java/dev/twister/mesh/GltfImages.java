@@ -11,6 +11,8 @@ import java.util.Optional;
 
 /** The images of a glTF file, embedded or separate. */
 final class GltfImages {
+    static final String WEBP = "EXT_texture_webp";
+
     private static final String WITHOUT = "; rendered without it";
 
     private final Path file;
@@ -37,12 +39,14 @@ final class GltfImages {
 
     /** The image of a texture; empty, with a warning, if it cannot be used. */
     Optional<Path> ofTexture(GltfPlace texture) throws IOException {
-        if (!texture.at("source").exists()) {
-            warnings.add(texture + " has no PNG or JPEG" + ofExtension(texture) + WITHOUT);
+        GltfPlace webp = texture.at("extensions").at(WEBP).at("source");
+        GltfPlace source = texture.at("source").exists() ? texture.at("source") : webp;
+        if (!source.exists()) {
+            warnings.add(texture + " has no PNG, JPEG or WebP" + ofExtension(texture) + WITHOUT);
             return Optional.empty();
         }
         GltfPlace images = root.at("images");
-        int index = texture.at("source").index(images);
+        int index = source.index(images);
         Optional<Path> known = found.get(index);
         if (known == null) {
             known = usable(images.at(index), index);
@@ -84,6 +88,13 @@ final class GltfImages {
         return TextureFiles.beside(file, GltfBuffers.name(uri), warnings);
     }
 
+    /** Adds an image that is made of the file's; returns its path. */
+    Path add(String name, byte[] picture) {
+        Path path = file.resolveSibling(file.getFileName() + "#" + name);
+        embedded.put(path, picture);
+        return path;
+    }
+
     private Optional<Path> embed(GltfPlace image, int index, GltfBuffers.Range range) throws IOException {
         embeddedBytes += range.length();
         if (embeddedBytes > bytes.length() + buffers.openedBytes()) {
@@ -91,8 +102,6 @@ final class GltfImages {
         }
         byte[] picture = range.bytes().copy(range.start(), (int) range.length());
         TextureFiles.check(picture);
-        Path path = file.resolveSibling(file.getFileName() + "#" + index);
-        embedded.put(path, picture);
-        return Optional.of(path);
+        return Optional.of(add(Integer.toString(index), picture));
     }
 }

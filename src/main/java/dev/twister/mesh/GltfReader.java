@@ -22,6 +22,7 @@ final class GltfReader {
             "KHR_materials_transmission",
             "KHR_materials_unlit",
             "KHR_materials_volume",
+            GltfImages.WEBP,
             GltfSurroundings.LIGHTS,
             "KHR_mesh_quantization",
             GltfInstances.EXTENSION,
@@ -123,7 +124,7 @@ final class GltfReader {
                 ? "; the colors that it gives are lost"
                 : "";
         return switch (extension) {
-            case "EXT_texture_webp", "EXT_texture_avif" -> loss + "; convert: npx @gltf-transform/cli png FILE OUTPUT";
+            case "EXT_texture_avif" -> loss + "; convert: npx @gltf-transform/cli png FILE OUTPUT";
             case "KHR_texture_basisu" -> loss + "; convert: npx @gltf-transform/cli ktxdecompress FILE OUTPUT";
             default -> loss;
         };

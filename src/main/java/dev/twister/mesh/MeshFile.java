@@ -10,8 +10,8 @@ import java.util.Map;
  *
  * @param meshes distinct meshes; several parts may share one
  * @param parts at least one
- * @param embeddedImages PNG or JPEG data in the file, by the texture path of the parts' materials: the file's own path,
- *     followed by the image's number
+ * @param embeddedImages PNG, JPEG or WebP data in the file, by the texture path of the parts' materials: the file's own
+ *     path, followed by the image's number
  * @param degenerateTriangles number of dropped triangles without area
  * @param surroundings the lights and cameras of a glTF file's scene
  */

@@ -18,6 +18,7 @@ import java.util.function.BiFunction;
 /** Reads the materials of an MTL file. */
 final class MtlReader {
     private static final int MAX_MATERIALS = 10_000;
+    private static final String NUMBER = "[+-]?(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?";
     private static final Set<String> UNUSED = Set.of(
             "Ka",
             "sharpness",
@@ -36,11 +37,14 @@ final class MtlReader {
 
     private final Path file;
     private final TextCursor text;
+    private final MtlLayouts layouts;
     private final Warnings warnings;
 
-    MtlReader(Path file, Bytes bytes, Warnings warnings) {
+    /** @param layouts receives the places of textures */
+    MtlReader(Path file, Bytes bytes, MtlLayouts layouts, Warnings warnings) {
         this.file = file;
         this.text = new TextCursor(bytes);
+        this.layouts = layouts;
         this.warnings = warnings;
     }
 
@@ -145,13 +149,19 @@ final class MtlReader {
     /** The file name after the options of a texture. */
     private Optional<ImageMap> texture(String line) throws IOException {
         String rest = line;
-        double scale = 1;
+        double factor = 1;
+        double[] scale = {1, 1};
+        double[] offset = {0, 0};
         Wrap wrap = Wrap.REPEAT;
         while (rest.matches("-[a-z].*")) {
             String next = withoutOption(rest);
             String option = rest.substring(0, rest.length() - next.length()).strip();
-            if (option.matches("-bm\\s+[+-]?[0-9.]+")) {
-                scale = new BigDecimal(option.split("\\s+", 2)[1]).doubleValue();
+            if (option.matches("-bm\\s+" + NUMBER)) {
+                factor = new BigDecimal(option.split("\\s+", 2)[1]).doubleValue();
+            } else if (option.matches("-s(\\s+" + NUMBER + ")+")) {
+                scale = twoNumbers(option, scale);
+            } else if (option.matches("-o(\\s+" + NUMBER + ")+")) {
+                offset = twoNumbers(option, offset);
             } else if (option.matches("-clamp\\s+on")) {
                 wrap = Wrap.CLAMP;
             } else if (!option.matches("-clamp\\s+off")) {
@@ -162,9 +172,17 @@ final class MtlReader {
         if (rest.isEmpty()) {
             return Optional.empty();
         }
-        Sampler sampler = new Sampler(wrap, wrap, false, 0);
-        double factor = scale;
-        return TextureFiles.beside(file, rest, warnings).map(image -> new ImageMap(image, sampler, factor));
+        Sampler sampler = new Sampler(wrap, wrap, false, layouts.number(scale[0], scale[1], offset[0], offset[1]));
+        double strength = factor;
+        return TextureFiles.beside(file, rest, warnings).map(image -> new ImageMap(image, sampler, strength));
+    }
+
+    /** The first two of an option's numbers, of which the second is optional. */
+    private static double[] twoNumbers(String option, double[] usual) {
+        String[] words = option.split("\\s+", -1);
+        return new double[] {
+            new BigDecimal(words[1]).doubleValue(), words.length > 2 ? new BigDecimal(words[2]).doubleValue() : usual[1]
+        };
     }
 
     private static String withoutOption(String line) {
@@ -178,7 +196,7 @@ final class MtlReader {
         for (int i = 0; i < most; i++) {
             String[] value = rest.split("\\s+", 2);
             // The last two of three numbers are optional.
-            if (i > 0 && !value[0].matches("[+-]?[0-9.]+")) {
+            if (i > 0 && !value[0].matches(NUMBER)) {
                 break;
             }
             rest = value.length < 2 ? "" : value[1];

@@ -36,6 +36,7 @@ final class ObjReader {
     private final SequencedMap<String, Integer> numberByMaterial = new LinkedHashMap<>();
     private final Map<String, Material> defined = new HashMap<>();
     private final ObjColors colors = new ObjColors();
+    private final MtlLayouts layouts = new MtlLayouts();
     private int libraries;
     private int material;
 
@@ -57,6 +58,7 @@ final class ObjReader {
             text.skipLine();
         }
         colors.addTo(soup);
+        layouts.addTo(soup);
         soup.warnOfUnusable(warnings);
         MeshAssembly.Assembled assembled = MeshAssembly.assemble(soup, Axes.Y_UP, smoothDegrees);
         if (assembled.meshByMaterial().isEmpty()) {
@@ -250,7 +252,7 @@ final class ObjReader {
             if (content.length() > MAX_LIBRARY_BYTES) {
                 throw new IOException(content.length() + " bytes; at most " + MAX_LIBRARY_BYTES + " are read");
             }
-            new MtlReader(library, content, warnings).read().forEach(defined::putIfAbsent);
+            new MtlReader(library, content, layouts, warnings).read().forEach(defined::putIfAbsent);
         }
     }
 }

@@ -16,6 +16,9 @@ import java.util.Optional;
 final class TextureFiles {
     private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G'};
     private static final byte[] JPEG = {(byte) 0xff, (byte) 0xd8, (byte) 0xff};
+    private static final byte[] RIFF = {'R', 'I', 'F', 'F'};
+    private static final byte[] WEBP = {'W', 'E', 'B', 'P'};
+    private static final int WEBP_AT = 8;
     private static final byte[] GIT_LFS = GitLfs.START.getBytes(StandardCharsets.US_ASCII);
     private static final String WITHOUT = "; rendered without it";
 
@@ -23,7 +26,7 @@ final class TextureFiles {
 
     /**
      * A texture by its name in a file; empty, with a warning, if it is not beside the file, cannot be read or is
-     * neither PNG nor JPEG.
+     * neither PNG, JPEG nor WebP.
      *
      * @param file the referring file
      */
@@ -50,7 +53,7 @@ final class TextureFiles {
     }
 
     /**
-     * Checks that bytes start with the signature of PNG or JPEG.
+     * Checks that bytes start with the signature of PNG, JPEG or WebP.
      *
      * @throws IOException that says what they are instead
      */
@@ -58,9 +61,16 @@ final class TextureFiles {
         if (startsWith(bytes, GIT_LFS)) {
             throw new IOException(GitLfs.PROBLEM);
         }
-        if (!startsWith(bytes, PNG) && !startsWith(bytes, JPEG)) {
-            throw new IOException("neither PNG nor JPEG");
+        if (!startsWith(bytes, PNG) && !startsWith(bytes, JPEG) && !isWebp(bytes)) {
+            throw new IOException("neither PNG, JPEG nor WebP");
         }
+    }
+
+    private static boolean isWebp(byte[] bytes) {
+        int end = WEBP_AT + WEBP.length;
+        return startsWith(bytes, RIFF)
+                && bytes.length >= end
+                && Arrays.equals(bytes, WEBP_AT, end, WEBP, 0, WEBP.length);
     }
 
     private static boolean startsWith(byte[] bytes, byte[] start) {

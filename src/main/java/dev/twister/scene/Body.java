@@ -9,4 +9,8 @@ public sealed interface Body permits Sphere, Mesh {
     Vector3 position();
 
     Body withPosition(Vector3 newPosition);
+
+    Tag tag();
+
+    Body withTag(Tag newTag);
 }

@@ -21,17 +21,19 @@ public record Mesh(
         Rotation rotation,
         double scale,
         double smoothDegrees,
-        Optional<Material> material)
+        Optional<Material> material,
+        Tag tag)
         implements Body {
     /** As its file has it; has the values of the fields that a scene file leaves out. */
     public static final Mesh DEFAULT =
-            new Mesh(new Geometry.OfFile(Path.of("")), Vector3.ZERO, Rotation.NONE, 1, 0, Optional.empty());
+            new Mesh(new Geometry.OfFile(Path.of("")), Vector3.ZERO, Rotation.NONE, 1, 0, Optional.empty(), Tag.NONE);
 
     public Mesh {
         requireNonNull(geometry, "geometry");
         requireNonNull(position, "position");
         requireNonNull(rotation, "rotation");
         requireNonNull(material, "material");
+        requireNonNull(tag, "tag");
     }
 
     /** As the file has it, at the origin. */
@@ -63,32 +65,37 @@ public record Mesh(
     }
 
     public Mesh withGeometry(Geometry newGeometry) {
-        return new Mesh(newGeometry, position, rotation, scale, smoothDegrees, material);
+        return new Mesh(newGeometry, position, rotation, scale, smoothDegrees, material, tag);
     }
 
     @Override
     public Mesh withPosition(Vector3 newPosition) {
-        return new Mesh(geometry, newPosition, rotation, scale, smoothDegrees, material);
+        return new Mesh(geometry, newPosition, rotation, scale, smoothDegrees, material, tag);
     }
 
     public Mesh withRotation(Rotation newRotation) {
-        return new Mesh(geometry, position, newRotation, scale, smoothDegrees, material);
+        return new Mesh(geometry, position, newRotation, scale, smoothDegrees, material, tag);
     }
 
     public Mesh withScale(double newScale) {
-        return new Mesh(geometry, position, rotation, newScale, smoothDegrees, material);
+        return new Mesh(geometry, position, rotation, newScale, smoothDegrees, material, tag);
     }
 
     public Mesh withSmoothDegrees(double newSmoothDegrees) {
-        return new Mesh(geometry, position, rotation, scale, newSmoothDegrees, material);
+        return new Mesh(geometry, position, rotation, scale, newSmoothDegrees, material, tag);
     }
 
     public Mesh withMaterial(Material newMaterial) {
-        return new Mesh(geometry, position, rotation, scale, smoothDegrees, Optional.of(newMaterial));
+        return new Mesh(geometry, position, rotation, scale, smoothDegrees, Optional.of(newMaterial), tag);
     }
 
     /** Made of what its file says. */
     public Mesh withoutMaterial() {
-        return new Mesh(geometry, position, rotation, scale, smoothDegrees, Optional.empty());
+        return new Mesh(geometry, position, rotation, scale, smoothDegrees, Optional.empty(), tag);
+    }
+
+    @Override
+    public Mesh withTag(Tag newTag) {
+        return new Mesh(geometry, position, rotation, scale, smoothDegrees, material, newTag);
     }
 }

@@ -8,13 +8,14 @@ import static java.util.Objects.requireNonNull;
  * @param position its center, in meters
  * @param radius in meters, above 0
  */
-public record Sphere(Vector3 position, double radius, Material material) implements Body {
+public record Sphere(Vector3 position, double radius, Material material, Tag tag) implements Body {
     /** A matte white ball of radius 1 at the origin; has the values of the fields that {@link #of} leaves out. */
-    public static final Sphere DEFAULT = new Sphere(Vector3.ZERO, 1, Material.DEFAULT);
+    public static final Sphere DEFAULT = new Sphere(Vector3.ZERO, 1, Material.DEFAULT, Tag.NONE);
 
     public Sphere {
         requireNonNull(position, "position");
         requireNonNull(material, "material");
+        requireNonNull(tag, "tag");
     }
 
     /** A smooth, opaque sphere; color and reflectivity are {@link Material}'s. */
@@ -41,15 +42,20 @@ public record Sphere(Vector3 position, double radius, Material material) impleme
 
     @Override
     public Sphere withPosition(Vector3 newPosition) {
-        return new Sphere(newPosition, radius, material);
+        return new Sphere(newPosition, radius, material, tag);
     }
 
     public Sphere withRadius(double newRadius) {
-        return new Sphere(position, newRadius, material);
+        return new Sphere(position, newRadius, material, tag);
     }
 
     public Sphere withMaterial(Material newMaterial) {
-        return new Sphere(position, radius, newMaterial);
+        return new Sphere(position, radius, newMaterial, tag);
+    }
+
+    @Override
+    public Sphere withTag(Tag newTag) {
+        return new Sphere(position, radius, material, newTag);
     }
 
     public Sphere withColor(Rgb newColor) {

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.util.Optional;
 
-/** A PNG or JPEG file, looked through before it is decoded. */
+/** An image file, looked through before it is decoded. */
 interface EncodedImage {
     /** What its decoder is to read. */
     InputStream decodable();

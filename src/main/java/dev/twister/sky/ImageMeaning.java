@@ -3,7 +3,7 @@ package dev.twister.sky;
 import java.util.Arrays;
 
 /**
- * What a PNG or JPEG file says of its samples besides the samples.
+ * What an image file says of its samples besides the samples.
  *
  * @param colors how they become light
  * @param orientation of EXIF, 1 to 8; anything else counts as 1, upright

@@ -5,19 +5,20 @@ import java.util.function.Consumer;
 
 /** The ordinary image formats that a panorama may come in. */
 enum OrdinaryImageFormat {
-    PNG("\u0089PNG\r\n\u001a\n"),
-    JPEG("\u00ff\u00d8\u00ff");
+    PNG,
+    JPEG,
+    WEBP;
 
-    /** The file's first bytes, a character each. */
-    private final String magic;
-
-    OrdinaryImageFormat(String magic) {
-        this.magic = magic;
-    }
+    private static final String PNG_START = "\u0089PNG\r\n\u001a\n";
+    private static final String JPEG_START = "\u00ff\u00d8\u00ff";
 
     /** Whether the content starts as this format does. */
     boolean startsIn(FileBytes file) throws IOException {
-        return file.startsWith(magic);
+        return switch (this) {
+            case PNG -> file.startsWith(PNG_START);
+            case JPEG -> file.startsWith(JPEG_START);
+            case WEBP -> WebpFile.startsIn(file);
+        };
     }
 
     /**
@@ -29,6 +30,7 @@ enum OrdinaryImageFormat {
         return switch (this) {
             case PNG -> new PngFile(file, warnings);
             case JPEG -> new JpegFile(file, warnings);
+            case WEBP -> new WebpFile(file, warnings);
         };
     }
 }

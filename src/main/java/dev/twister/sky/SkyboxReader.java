@@ -11,7 +11,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Reads panoramas: Radiance pictures ({@code .hdr}, {@code .pic}), PNG and JPEG, told apart by their first bytes,
+ * Reads panoramas: Radiance pictures ({@code .hdr}, {@code .pic}), PNG, JPEG and WebP, told apart by their first bytes,
  * whatever their names end in.
  */
 public final class SkyboxReader {
@@ -34,8 +34,8 @@ public final class SkyboxReader {
 
     /**
      * Reads a panorama of at most 16384 x 8192 texels from a file of at most 1 GiB. Radiance pictures keep radiance
-     * above 1. PNG and JPEG are made linear, 0 to 1, by what they say of their colors, as sRGB where they say nothing,
-     * over black where they are transparent, and turned upright by their EXIF orientation.
+     * above 1. PNG, JPEG and WebP are made linear, 0 to 1, by what they say of their colors, as sRGB where they say
+     * nothing, over black where they are transparent, and turned upright by their EXIF orientation.
      *
      * @param file a file of the default file system
      * @param warnings told of what the file says and is not used; one line each that names the file
@@ -72,12 +72,12 @@ public final class SkyboxReader {
         }
         Optional<Skybox> ordinary = decodeOrdinary(file, LinearImage::skybox, warnings);
         if (ordinary.isEmpty()) {
-            throw unknown(file, "panorama", "Radiance, PNG and JPEG");
+            throw unknown(file, "panorama", "Radiance, PNG, JPEG and WebP");
         }
         return ordinary.get();
     }
 
-    /** The picture of a PNG or JPEG; empty where the first bytes are of neither. */
+    /** The picture of a PNG, JPEG or WebP; empty where the first bytes are of none. */
     static <T> Optional<T> decodeOrdinary(
             FileBytes file, OrdinaryImageReader.Conversion<T> conversion, Consumer<String> warnings)
             throws IOException {

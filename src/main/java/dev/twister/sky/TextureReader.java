@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** Reads textures: PNG and JPEG pictures, told apart by their first bytes, whatever their names end in. */
+/** Reads textures: PNG, JPEG and WebP pictures, told apart by their first bytes, whatever their names end in. */
 public final class TextureReader {
     private TextureReader() {}
 
@@ -37,11 +37,11 @@ public final class TextureReader {
 
     private static TextureImage decode(FileBytes file, Consumer<String> warnings) throws IOException {
         if (RadianceHeader.startsIn(file)) {
-            throw new IOException("a Radiance picture, but a texture must be PNG or JPEG");
+            throw new IOException("a Radiance picture, but a texture must be PNG, JPEG or WebP");
         }
         Optional<TextureImage> ordinary = SkyboxReader.decodeOrdinary(file, LinearImage::texture, warnings);
         if (ordinary.isEmpty()) {
-            throw SkyboxReader.unknown(file, "texture", "PNG and JPEG");
+            throw SkyboxReader.unknown(file, "texture", "PNG, JPEG and WebP");
         }
         return ordinary.get();
     }

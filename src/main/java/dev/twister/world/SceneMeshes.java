@@ -217,7 +217,7 @@ public final class SceneMeshes {
         return placeByTexture;
     }
 
-    /** The PNG or JPEG data of a texture that is embedded in one of the files. */
+    /** The PNG, JPEG or WebP data of a texture that is embedded in one of the files. */
     public Optional<byte[]> embeddedImage(Path texture) {
         return loadedBySource.values().stream()
                 .map(loaded -> loaded.file().embeddedImages().get(texture))

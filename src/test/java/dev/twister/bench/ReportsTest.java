@@ -148,6 +148,20 @@ class ReportsTest {
     }
 
     @Test
+    void theLeadCountsTheSettingsThatEachEngineWins() {
+        BenchmarkReport report = new BenchmarkReport(
+                REPORT.machine(),
+                REPORT.plan(),
+                REPORT.scene(),
+                List.of(slow("sequential", 200), slow("device", 100)),
+                List.of(),
+                Map.of(),
+                true);
+
+        assertThat(FastestEngines.sentence(report)).isEqualTo("The fastest engine of 1 setting: device at 1.");
+    }
+
+    @Test
     void quickRatesHaveNoMoreDigitsThanAsked() {
         assertThat(ReportNumbers.legible(1234.56, 1)).isEqualTo("1234.6");
         assertThat(ReportNumbers.legible(5, 1)).isEqualTo("5.0");

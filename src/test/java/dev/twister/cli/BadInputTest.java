@@ -42,6 +42,8 @@ class BadInputTest {
                 "benchmark --jit c2 - | --jit reads the scene several times",
                 "benchmark --compare FOLDER/a.json FOLDER/b.json --engine vector | --compare measures nothing",
                 "benchmark --compare FOLDER/a.json FOLDER/b.json teaching | --compare measures nothing",
+                "benchmark --page FOLDER FOLDER/a.json --engine vector | --page measures nothing",
+                "benchmark --page FOLDER FOLDER/a.json | a.json: file not found",
                 "benchmark --within 3 | --within requires --compare",
                 "benchmark --compare FOLDER/a.json FOLDER/b.json | a.json: file not found",
                 "benchmark --compare FOLDER/a.json FOLDER/b.json --within -1 | --within is -1.0, but must be from 0 to 1000",

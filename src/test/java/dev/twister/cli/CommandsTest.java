@@ -199,7 +199,7 @@ class CommandsTest {
         assertThat(broken.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(broken.err())
                 .isEqualToIgnoringNewLines("twister: $.materials.stone.texture: " + texture
-                        + ": not a texture by its first bytes; PNG and JPEG are read");
+                        + ": not a texture by its first bytes; PNG, JPEG and WebP are read");
     }
 
     @Test

@@ -767,6 +767,35 @@ class PanelTest {
     }
 
     @Test
+    void aBodyIsRenamedInTheList() {
+        driver.type(row("Bodies").keys());
+        driver.type(KeyCode.HOME);
+        driver.type(KeyCode.DOWN);
+        driver.type(KeyCode.DOWN);
+        driver.type(KeyCode.F2);
+        TextField field = driver.find("#body-name", TextField.class);
+        assertThat(field.isFocused()).isTrue();
+        driver.run(() -> field.setText("Ball"));
+        driver.type(KeyCode.ENTER);
+        assertThat(scene().spheres().getFirst().tag().name()).isEqualTo("Ball");
+        assertThat(driver.text("selection-hint")).startsWith("Ball. ");
+    }
+
+    @Test
+    void aHiddenBodyIsNotInThePictureAndTheOthersStayWhatTheyAre() {
+        driver.run(() -> driver.studio.selection().select(SPHERE));
+        driver.type(Command.HIDE.keys());
+        DrawnPicture picture = driver.awaitCurrentPicture();
+        assertThat(picture.request().scene().spheres())
+                .hasSize(scene().spheres().size() - 1);
+        assertThat(WindowDriver.call(() -> driver.studio.picturedBodies().orElseThrow())
+                        .inScene(SPHERE))
+                .isEqualTo(SPHERE + 1);
+        driver.type(Command.SHOW_ALL.keys());
+        assertThat(driver.awaitCurrentPicture().request().scene().spheres()).hasSameSizeAs(scene().spheres());
+    }
+
+    @Test
     void theListMarksWhatIsSelectedElsewhere() {
         driver.run(() -> driver.studio.selection().select(List.of(Layout.LIGHT, SPHERE)));
         ListView<?> list = (ListView<?>) row("Bodies").firstControl();

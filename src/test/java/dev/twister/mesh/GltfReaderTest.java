@@ -98,6 +98,17 @@ class GltfReaderTest {
         assertThat(file.meshes().getFirst().textureCoordinates()).containsExactly(0.5f, 0, 0.5f, 1, 2.5f, 0);
     }
 
+    @ParameterizedTest
+    @CsvSource({"'', 0", "'\"source\":1,', 1"})
+    void webpTexturesAreReadUnlessThereIsAnother(String other, int used) {
+        MeshFile file = read(
+                "{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1},\"material\":0}",
+                "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+                        + "\"textures\":[{" + other + "\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}}],"
+                        + "\"images\":[{\"bufferView\":3},{\"bufferView\":3}],");
+        assertThat(file.parts().getFirst().material().texture()).contains(folder.resolve("a.glb#" + used));
+    }
+
     @Test
     void materials() {
         MeshFile file = read(

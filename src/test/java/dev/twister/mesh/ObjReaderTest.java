@@ -3,6 +3,7 @@ package dev.twister.mesh;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Emission;
+import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import java.io.IOException;
@@ -73,6 +74,23 @@ class ObjReaderTest {
         assertThat(file.meshes().get(0).textureCoordinates()).contains(1f, 0.75f);
         assertThat(file.meshes().get(1).textureCoordinates()).isEmpty();
         assertThat(warnings).anyMatch(warning -> warning.contains("'none.png': file not found"));
+    }
+
+    @Test
+    void scalesAndMovesTextures() throws IOException {
+        Files.write(folder.resolve("a.png"), new byte[] {(byte) 0x89, 'P', 'N', 'G', 13, 10});
+        Files.writeString(folder.resolve("a.mtl"), "newmtl a\nmap_Kd -s 2 4 1 -o 0.5 0.25 a.png\nmap_Pr -t 1 a.png\n");
+        List<String> warnings = new ArrayList<>();
+        String text = "mtllib a.mtl\n" + SQUARE + "vt 1 0.5\nusemtl a\nf 1/1 2/1 3/1\n";
+        MeshFile file = Reading.read(folder, "a.obj", text.getBytes(StandardCharsets.UTF_8), 0, warnings);
+        Maps maps = file.parts().getFirst().material().maps();
+
+        // From v upward, 4 * 0.5 + 0.25, to v downward.
+        assertThat(file.meshes().getFirst().textureCoordinates())
+                .containsExactly(1f, 0.5f, 1f, 0.5f, 1f, 0.5f, 2.5f, -1.25f, 2.5f, -1.25f, 2.5f, -1.25f);
+        assertThat(maps.texture().coordinates()).isOne();
+        assertThat(maps.roughness().orElseThrow().sampler().coordinates()).isZero();
+        assertThat(warnings).anyMatch(warning -> warning.endsWith("the texture option '-t 1' is not read"));
     }
 
     @Test

@@ -147,7 +147,7 @@ class SkyboxReaderTest {
         assertThatThrownBy(() -> SkyboxReader.read(folder)).hasMessage(folder + ": is a folder, but must be a file");
         Path empty = Files.write(folder.resolve("empty.hdr"), new byte[0]);
         assertThatThrownBy(() -> SkyboxReader.read(empty))
-                .hasMessage(empty + ": an empty file; Radiance, PNG and JPEG are read");
+                .hasMessage(empty + ": an empty file; Radiance, PNG, JPEG and WebP are read");
         Path text = Files.writeString(folder.resolve("text.hdr"), "hello");
         assertThatThrownBy(() -> SkyboxReader.read(text)).hasMessageContaining("not a panorama by its first bytes");
     }

@@ -1,11 +1,13 @@
 package dev.twister.sky;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Base64;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 
@@ -30,6 +32,29 @@ class TextureReaderTest {
 
         assertThat(((Skybox) read(image)).radiance()[0])
                 .isEqualTo(CurveEncoding.SRGB.table(65_535)[257]);
+    }
+
+    @Test
+    void readsWebp() {
+        byte[] red = Base64.getDecoder()
+                .decode(
+                        "UklGRlgAAABXRUJQVlA4IEwAAABQAgCdASoIAAgAAUAmJbACdLoB+ACJVQVkbUAA/v6VT/8oP//lxzL/7cYNP2X7FSGHz1Zf"
+                                + "/eUP981865/9F3j/hthvy0L5aF/yTgAA");
+
+        PackedImage texture = (PackedImage) TextureReader.read(Path.of("red.webp"), red, _ -> {});
+
+        assertThat(texture.width()).isEqualTo(8);
+        assertThat(texture.value(7, 0)).isGreaterThan(220);
+        assertThat(texture.value(7, 1)).isLessThan(10);
+    }
+
+    @Test
+    void refusesDamagedWebp() {
+        byte[] damaged = Base64.getDecoder().decode("UklGRlgAAABXRUJQVlA4IEwAAABQAgCdASoIAAgA");
+
+        assertThatThrownBy(() -> TextureReader.read(Path.of("red.webp"), damaged, _ -> {}))
+                .isInstanceOf(SkyException.class)
+                .hasMessageStartingWith("red.webp: ");
     }
 
     private static TextureImage read(BufferedImage image) throws IOException {

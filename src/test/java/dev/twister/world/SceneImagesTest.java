@@ -74,8 +74,8 @@ class SceneImagesTest {
 
         assertThatThrownBy(() -> SceneImages.read(scene, warnings::add))
                 .isInstanceOf(SkyException.class)
-                .hasMessage(
-                        "$.spheres[1].texture: " + file + ": not a texture by its first bytes; PNG and JPEG are read");
+                .hasMessage("$.spheres[1].texture: " + file
+                        + ": not a texture by its first bytes; PNG, JPEG and WebP are read");
         assertThatThrownBy(() -> SceneImages.read(scene.withGround(plane(folder.resolve("none.png"))), warnings::add))
                 .isInstanceOf(SkyException.class)
                 .hasMessage("$.plane.texture: " + folder.resolve("none.png") + ": file not found");
@@ -115,7 +115,8 @@ class SceneImagesTest {
 
         assertThatThrownBy(() -> SceneImages.read(scene, warnings::add))
                 .isInstanceOf(SkyException.class)
-                .hasMessage("$.plane.texture: " + sky + ": a Radiance picture, but a texture must be PNG or JPEG");
+                .hasMessage(
+                        "$.plane.texture: " + sky + ": a Radiance picture, but a texture must be PNG, JPEG or WebP");
     }
 
     private static Ground plane(Path texture) {

@@ -159,7 +159,7 @@ public final class AxisHandles extends Group {
         int active = studio.selection().active();
         Scene scene = picture.request().scene();
         return studio.picturedBodies()
-                .filter(_ -> BodyEdits.isMovable(studio.scene(), active))
+                .filter(_ -> BodyEdits.isFree(studio.scene(), active))
                 .map(bodies -> bodies.inPicture(active))
                 .filter(body -> BodyEdits.isMovable(scene, body))
                 .map(body -> BodyEdits.isSphere(scene, body)

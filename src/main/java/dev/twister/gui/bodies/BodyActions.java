@@ -9,6 +9,7 @@ import dev.twister.gui.model.NewMesh;
 import dev.twister.gui.model.NewSphere;
 import dev.twister.gui.model.Orbit;
 import dev.twister.gui.model.SelectedBodies;
+import dev.twister.gui.model.TagEdits;
 import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Selection;
@@ -103,7 +104,9 @@ public final class BodyActions {
             studio.edit("delete " + what, scene -> BodyEdits.deleted(scene, deleted.bodies()));
             studio.endGesture();
             if (deleted.count() < selected.count()) {
-                studio.notice(UNDELETED_LIGHT);
+                boolean locked = selected.bodies().stream()
+                        .anyMatch(body -> TagEdits.of(standing, body).locked());
+                studio.notice(locked ? "Locked bodies stay" : UNDELETED_LIGHT);
             }
         }
     }

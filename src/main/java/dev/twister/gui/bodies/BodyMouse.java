@@ -3,6 +3,7 @@ package dev.twister.gui.bodies;
 import dev.twister.gui.camera.CameraMouse;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.Axis;
+import dev.twister.gui.model.BodyChoices;
 import dev.twister.gui.model.BodyDrag;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
@@ -10,6 +11,7 @@ import dev.twister.gui.model.BodyPicker;
 import dev.twister.gui.model.CameraNumbers;
 import dev.twister.gui.model.FocusPoint;
 import dev.twister.gui.model.HeldBodies;
+import dev.twister.gui.model.TagEdits;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.StatusText;
@@ -114,7 +116,7 @@ public final class BodyMouse {
 
     /** Whether a body can be used to drag the selected ones. */
     private boolean isHeldBy(int body) {
-        return studio.selection().bodies().contains(body) && BodyEdits.isMovable(studio.scene(), body);
+        return studio.selection().bodies().contains(body) && BodyEdits.isFree(studio.scene(), body);
     }
 
     /** Starts a drag of the selected bodies. */
@@ -224,11 +226,20 @@ public final class BodyMouse {
             } else if (event.isShiftDown() && event.isShortcutDown()) {
                 focus(event);
             } else if (event.isShiftDown() || event.isShortcutDown()) {
-                bodyAt(event).ifPresent(studio.selection()::toggle);
+                bodyAt(event).filter(this::isUnlocked).ifPresent(studio.selection()::toggle);
             } else if (handles.axisAt(event.getX(), event.getY()).isEmpty()) {
-                studio.selection().select(bodyAt(event).orElse(BodyNumber.NONE));
+                studio.selection().select(bodyAt(event).filter(this::isUnlocked).orElse(BodyNumber.NONE));
             }
         }
+    }
+
+    /** Whether a clicked body can be selected; tells it if not. */
+    private boolean isUnlocked(int body) {
+        boolean locked = TagEdits.of(studio.scene(), body).locked();
+        if (locked) {
+            studio.notice(BodyChoices.title(studio.scene(), body) + " is locked; select it in the list of bodies");
+        }
+        return !locked;
     }
 
     private void explain(double x, double y) {

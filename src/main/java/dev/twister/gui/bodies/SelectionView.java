@@ -37,6 +37,9 @@ public final class SelectionView extends Pane {
      */
     private static final int MOST_OUTLINED = 200;
 
+    /** To map the bodies of more spheres to the picture takes long while their numbers differ. */
+    private static final int MOST_MAPPED = 2000;
+
     /** Length of the axis to both sides of the body. */
     private static final double AXIS_METERS = 1000;
 
@@ -114,9 +117,9 @@ public final class SelectionView extends Pane {
 
     /** The outlines of the other bodies. */
     private List<Integer> outlined(SelectedBodies selected) {
-        // Mapping many bodies to the picture takes long while bodies are added or deleted.
         boolean renumbered =
-                studio.picturedBodies().filter(PictureBodies::renumbered).isPresent();
+                studio.picturedBodies().filter(PictureBodies::renumbered).isPresent()
+                        && studio.scene().spheres().size() > MOST_MAPPED;
         return renumbered
                 ? List.of()
                 : selected.bodies().reversed().stream()

@@ -18,11 +18,11 @@ import javafx.stage.Window;
 /** Asks with the system's dialogs. */
 public final class SystemFileChoice implements FileChoice {
     private static final String SCENE = "*" + ChosenFile.SCENE;
-    private static final List<String> PANORAMAS = List.of("*.hdr", "*.pic", "*.png", "*.jpg", "*.jpeg");
+    private static final List<String> PANORAMAS = List.of("*.hdr", "*.pic", "*.png", "*.jpg", "*.jpeg", "*.webp");
     private static final List<String> PICTURES = List.of("*.exr", "*.hdr", "*.png");
     private static final List<String> MESHES =
             MeshReader.ENDINGS.stream().map(ending -> "*" + ending).toList();
-    private static final List<String> TEXTURES = List.of("*.png", "*.jpg", "*.jpeg");
+    private static final List<String> TEXTURES = List.of("*.png", "*.jpg", "*.jpeg", "*.webp");
 
     private final Window owner;
 
@@ -78,12 +78,13 @@ public final class SystemFileChoice implements FileChoice {
         chooser.getExtensionFilters()
                 .addAll(
                         new ExtensionFilter("As shown: PNG", "*" + PictureFile.PNG),
-                        new ExtensionFilter("Linear radiance: HDR", "*" + PictureFile.HDR));
+                        new ExtensionFilter("Linear radiance: HDR", "*" + PictureFile.HDR),
+                        new ExtensionFilter("Linear radiance: EXR", "*" + PictureFile.EXR));
         Optional<Path> chosen = path(chooser.showSaveDialog(owner));
-        boolean hdr = Optional.ofNullable(chooser.getSelectedExtensionFilter())
-                .filter(filter -> filter.getExtensions().contains("*" + PictureFile.HDR))
-                .isPresent();
-        return chosen.map(file -> ChosenFile.forPicture(file, hdr));
+        String ending = Optional.ofNullable(chooser.getSelectedExtensionFilter())
+                .map(filter -> filter.getExtensions().getFirst().substring(1))
+                .orElse(PictureFile.PNG);
+        return chosen.map(file -> ChosenFile.forPicture(file, ending));
     }
 
     @Override

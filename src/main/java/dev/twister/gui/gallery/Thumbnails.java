@@ -7,6 +7,7 @@ import dev.twister.image.Frame;
 import dev.twister.image.PngWriter;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
+import dev.twister.scene.VisibleBodies;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
@@ -82,7 +83,7 @@ final class Thumbnails implements AutoCloseable {
     }
 
     private static void render(Path file, Path picture) throws IOException {
-        Scene scene = SceneReader.read(file);
+        Scene scene = VisibleBodies.of(SceneReader.read(file));
         boolean traced = scene.rendering().integrator() == Integrator.PATH;
         Scene small = scene.withRendering(scene.rendering()
                 .withSize(WIDTH, HEIGHT)

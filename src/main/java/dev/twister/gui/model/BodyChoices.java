@@ -52,8 +52,15 @@ public final class BodyChoices {
                         .orElse("");
     }
 
-    /** The name without the material's: {@code Light 2}, {@code Sphere 3} or {@code Mesh 1 (knot.obj)}. */
+    /**
+     * The name without the material's: the one that it was given, or {@code Light 2}, {@code Sphere 3} or {@code Mesh 1
+     * (knot.obj)}.
+     */
     public static String title(Scene scene, int body) {
+        String name = TagEdits.of(scene, body).name();
+        if (!name.isEmpty()) {
+            return name;
+        }
         if (BodyEdits.isMesh(scene, body)) {
             return "Mesh " + (BodyNumber.mesh(body) + 1) + " ("
                     + BodyEdits.mesh(scene, body).geometry().name() + ")";

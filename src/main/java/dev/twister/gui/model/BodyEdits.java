@@ -116,13 +116,19 @@ public final class BodyEdits {
                 : plane + body - BodyNumber.PLANE;
     }
 
-    /** All movable bodies: the lights, the spheres and the meshes in the scene's order. */
+    /** Whether the body is moved and deleted with others: a movable one that is not locked. */
+    public static boolean isFree(Scene scene, int body) {
+        return isMovable(scene, body) && !TagEdits.of(scene, body).locked();
+    }
+
+    /** All bodies that are neither hidden nor locked: lights, spheres and meshes in the scene's order. */
     public static List<Integer> movable(Scene scene) {
         return Stream.of(
                         IntStream.range(0, scene.lights().count()).map(BodyNumber::ofLight),
                         IntStream.range(0, scene.spheres().size()).map(BodyNumber::ofSphere),
                         IntStream.range(0, scene.meshes().size()).map(BodyNumber::ofMesh))
                 .flatMapToInt(numbers -> numbers)
+                .filter(body -> isFree(scene, body) && !TagEdits.of(scene, body).hidden())
                 .boxed()
                 .toList();
     }
@@ -241,12 +247,14 @@ public final class BodyEdits {
                 .filter(_ -> !deleted.contains(body));
     }
 
-    /** Those of the bodies that can be deleted: spheres, meshes, and lights, but not the last one. */
+    /**
+     * Those of the bodies that can be deleted: spheres, meshes, and lights, but no locked ones and not the last light.
+     */
     public static SelectedBodies deletable(Scene scene, SelectedBodies bodies) {
         long lights =
                 bodies.bodies().stream().filter(body -> isLight(scene, body)).count();
         int kept = lights == scene.lights().count() ? BodyNumber.LIGHT : BodyNumber.NONE;
-        return bodies.where(body -> isSolid(scene, body) || (isLight(scene, body) && body != kept));
+        return bodies.where(body -> isFree(scene, body) && body != kept);
     }
 
     /** Such as {@code light}, {@code sphere} or {@code mesh}. */

@@ -47,10 +47,10 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
         }
     }
 
-    /** Takes the movable ones of a selection about the middle of their positions; empty if there are none. */
+    /** Takes those of a selection that are not locked, about the middle of their positions; empty if there are none. */
     public static Optional<BodyTransform> of(Scene scene, SelectedBodies selected) {
         Set<Integer> movable = selected.bodies().stream()
-                .filter(body -> BodyEdits.isMovable(scene, body))
+                .filter(body -> BodyEdits.isFree(scene, body))
                 .collect(Collectors.toUnmodifiableSet());
         if (movable.isEmpty()) {
             return Optional.empty();

@@ -18,9 +18,15 @@ public final class ChosenFile {
         return withEnding(chosen, SCENE);
     }
 
-    /** A picture's file, of either kind. */
-    public static Path forPicture(Path chosen, boolean linear) {
-        return spared(chosen, linear ? PictureFile.asHdr(chosen) : PictureFile.withEnding(chosen));
+    /**
+     * A picture's file.
+     *
+     * @param ending of the kind that was chosen
+     */
+    public static Path forPicture(Path chosen, String ending) {
+        return spared(
+                chosen,
+                ending.equals(PictureFile.PNG) ? PictureFile.withEnding(chosen) : PictureFile.asLinear(chosen, ending));
     }
 
     /** A file of the kind with that ending, which is added to a name with another one. */

@@ -14,7 +14,8 @@ public final class DroppedBodies {
     private DroppedBodies() {}
 
     /**
-     * The scene with spheres and meshes standing on the ground; lights and meshes that have not been read stay.
+     * The scene with spheres and meshes standing on the ground; lights, locked bodies and meshes that have not been
+     * read stay.
      *
      * @param meshes of the scene
      */
@@ -23,7 +24,7 @@ public final class DroppedBodies {
         Map<Integer, Vector3> places = new LinkedHashMap<>();
         for (int body : bodies) {
             boolean unread = BodyEdits.isMesh(scene, body) && !meshes.holds(BodyEdits.mesh(scene, body));
-            if (BodyEdits.isSolid(scene, body) && !unread) {
+            if (BodyEdits.isSolid(scene, body) && BodyEdits.isFree(scene, body) && !unread) {
                 Vector3 now = BodyEdits.position(scene, body);
                 double lowest = lowest(scene, meshes, body);
                 places.put(body, SceneLimits.POSITION.clamp(Axis.Y.with(now, now.y() + ground - lowest)));

@@ -17,7 +17,7 @@ public final class HeldBodies {
     private final Vector3 most;
 
     /**
-     * Takes what is movable of a selection, by its active body.
+     * Takes what is movable and not locked of a selection, by its active body.
      *
      * @param scene with the bodies at their displayed places
      */
@@ -25,7 +25,7 @@ public final class HeldBodies {
         active = selected.active();
         held = BodyEdits.position(scene, active);
         for (int body : selected.bodies()) {
-            if (BodyEdits.isMovable(scene, body)) {
+            if (BodyEdits.isFree(scene, body)) {
                 places.put(body, BodyEdits.position(scene, body));
             }
         }

@@ -39,6 +39,8 @@ public final class RefinedPicture {
     private int samples;
     private int otherSamples;
     private int passes;
+    private Optional<Estimate> estimate = Optional.empty();
+    private double noise;
 
     /**
      * An empty picture.
@@ -72,7 +74,11 @@ public final class RefinedPicture {
         samples = 0;
         otherSamples = 0;
         passes = 0;
+        estimate = Optional.empty();
     }
+
+    /** What an estimate of the noise depends on, of one picture. */
+    private record Estimate(int samples, float exposureScale, float toneMap, float srgb) {}
 
     /** The samples a pixel so far. */
     public int samples() {
@@ -147,10 +153,18 @@ public final class RefinedPicture {
      * @param input whose exposure, tone map and sRGB curve count
      */
     public OptionalDouble noise(FrameInput input) {
-        return otherSamples == 0
-                ? OptionalDouble.empty()
-                : OptionalDouble.of(new NoiseEstimate(width, input.view().frame())
-                        .of(new Half(sums, samples - otherSamples), new Half(otherSums, otherSamples)));
+        if (otherSamples == 0) {
+            return OptionalDouble.empty();
+        }
+        float[] frame = input.view().frame();
+        Estimate wanted =
+                new Estimate(samples, frame[Layout.EXPOSURE_SCALE], frame[Layout.TONE_MAP], frame[Layout.SRGB]);
+        if (!estimate.equals(Optional.of(wanted))) {
+            estimate = Optional.of(wanted);
+            noise = new NoiseEstimate(width, frame)
+                    .of(new Half(sums, samples - otherSamples), new Half(otherSums, otherSamples));
+        }
+        return OptionalDouble.of(noise);
     }
 
     /**

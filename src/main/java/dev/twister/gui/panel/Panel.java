@@ -15,6 +15,7 @@ import dev.twister.gui.picture.HistogramView;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
+import dev.twister.gui.studio.TagActions;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
 import java.util.List;
@@ -59,6 +60,7 @@ public final class Panel extends ScrollPane {
             Comparison comparison,
             BooleanProperty clippingShown,
             AssetActions assets,
+            TagActions tags,
             Errands errands,
             CommandActions actions) {
         engine = new EngineSection(
@@ -71,7 +73,7 @@ public final class Panel extends ScrollPane {
         sky = new SkySection(studio, assets);
         plane = new PlaneSection(studio);
         physics = new PhysicsSection(studio, actions);
-        selection = new SelectionSection(studio);
+        selection = new SelectionSection(studio, tags);
         material = new MaterialSection(studio, assets);
         Button reset = new Button("Reset everything");
         reset.setId("reset-everything");

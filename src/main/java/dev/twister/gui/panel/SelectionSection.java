@@ -6,7 +6,9 @@ import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.BodyNumbers;
 import dev.twister.gui.model.SelectedBodies;
+import dev.twister.gui.model.TagEdits;
 import dev.twister.gui.studio.Studio;
+import dev.twister.gui.studio.TagActions;
 import dev.twister.scene.Scene;
 import java.util.List;
 import java.util.function.Predicate;
@@ -30,7 +32,7 @@ final class SelectionSection extends VBox {
     private Scene listed;
     private long followedNanos;
 
-    SelectionSection(Studio studio) {
+    SelectionSection(Studio studio, TagActions tags) {
         this.studio = studio;
         atSelection = studio.scene();
         listed = studio.scene();
@@ -38,15 +40,16 @@ final class SelectionSection extends VBox {
         hint.getStyleClass().add("hint");
         hint.setWrapText(true);
         hint.setId("selection-hint");
-        bodies = new BodiesRow(studio);
+        bodies = new BodiesRow(studio, tags);
         studio.selection().activeProperty().subscribe(_ -> rebuild());
         studio.selection().bodiesProperty().subscribe(_ -> {
             listBodies();
             showHint();
         });
         studio.sceneProperty().subscribe(scene -> {
-            if (!BodyMaterials.areSame(scene, listed)) {
+            if (!BodyMaterials.areSame(scene, listed) || !TagEdits.areSame(scene, listed)) {
                 listBodies();
+                showHint();
             }
         });
         // Rows follow edits also while their slider is held.
@@ -128,7 +131,7 @@ final class SelectionSection extends VBox {
         int count = BodyEdits.isMesh(scene, body)
                 ? scene.meshes().size()
                 : scene.spheres().size();
-        return count == 1 ? "" : " of " + count;
+        return count == 1 || !TagEdits.of(scene, body).name().isEmpty() ? "" : " of " + count;
     }
 
     private void follow() {

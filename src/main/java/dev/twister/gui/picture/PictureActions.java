@@ -1,7 +1,5 @@
 package dev.twister.gui.picture;
 
-import dev.twister.engine.Engine;
-import dev.twister.engine.JvmEngines;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Problems;
 import dev.twister.gui.drawing.DrawnPicture;
@@ -10,10 +8,11 @@ import dev.twister.gui.model.FrameRecorder;
 import dev.twister.gui.model.PictureFile;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
+import dev.twister.image.ExrChannel;
+import dev.twister.image.ExrWriter;
 import dev.twister.image.Frame;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
-import dev.twister.world.FrameInput;
 import java.io.IOException;
 import java.nio.IntBuffer;
 import java.nio.file.Path;
@@ -58,20 +57,17 @@ public final class PictureActions implements AutoCloseable {
         }
         Frame frame = shown.get().frame();
         int[] argb = frame.argb().clone();
-        // What is seen as one samples it: the frame's own samples, or those gathered since.
-        FrameInput own = shown.get().input();
-        int samples = shown.get().samples();
-        FrameInput input = samples == own.samplesPerPixel() ? own : own.withSamples(0, samples);
-        CompletableFuture<Optional<float[]>> gathered = studio.radiance(shown.get());
+        boolean srgb = shown.get().input().srgb();
+        ShownRadiance radiance = ShownRadiance.of(studio, shown.get());
         choice.toSavePicture(lastFolder.resolve(PictureFile.freeName(lastFolder)))
                 .ifPresent(file -> {
                     lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent())
                             .orElse(lastFolder);
                     errands.keepPicture(
                             // The window's engine may work long on a picture before it notices.
-                            PictureFile.isLinear(file) ? gathered : CompletableFuture.completedFuture(""),
+                            PictureFile.isLinear(file) ? radiance.gathered() : CompletableFuture.completedFuture(""),
                             () -> {
-                                write(file, frame.width(), frame.height(), argb, input, gathered);
+                                write(file, argb, srgb, radiance);
                                 return file;
                             },
                             written -> studio.notice("Saved " + written),
@@ -157,27 +153,22 @@ public final class PictureActions implements AutoCloseable {
         return what + " " + progress.written() + " frames" + waiting;
     }
 
-    private static void write(
-            Path file,
-            int width,
-            int height,
-            int[] argb,
-            FrameInput input,
-            CompletableFuture<Optional<float[]>> gathered)
-            throws IOException {
-        if (!PictureFile.isLinear(file)) {
-            PngWriter.write(file, width, height, argb, input.srgb());
-            return;
+    private static void write(Path file, int[] argb, boolean srgb, ShownRadiance shown) throws IOException {
+        int width = shown.width();
+        int height = shown.height();
+        if (PictureFile.isExr(file)) {
+            ExrWriter.write(file, width, height, channels(shown.await()));
+        } else if (PictureFile.isLinear(file)) {
+            HdrWriter.write(file, width, height, shown.await());
+        } else {
+            PngWriter.write(file, width, height, argb, srgb);
         }
-        HdrWriter.write(file, width, height, gathered.join().orElseGet(() -> draw(input, width, height)));
     }
 
-    /** The window's engine is busy with the window; this one draws the same picture. */
-    private static float[] draw(FrameInput input, int width, int height) {
-        Frame linear = Frame.ofRadiance(width, height);
-        try (Engine engine = JvmEngines.parallel().opener().get()) {
-            engine.render(input, linear);
-        }
-        return linear.radiance();
+    private static List<ExrChannel> channels(float[] radiance) {
+        return List.of(
+                new ExrChannel("R", radiance, 0, 3),
+                new ExrChannel("G", radiance, 1, 3),
+                new ExrChannel("B", radiance, 2, 3));
     }
 }

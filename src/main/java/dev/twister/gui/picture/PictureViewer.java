@@ -5,6 +5,7 @@ import dev.twister.gui.controls.Problems;
 import dev.twister.gui.files.FileChoice;
 import dev.twister.gui.model.ViewedPicture;
 import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.Studio;
 import java.nio.file.Path;
 import java.util.Optional;
 import javafx.scene.Scene;
@@ -18,13 +19,15 @@ public final class PictureViewer {
     private static final double HEIGHT = 700;
 
     private final Stage owner;
+    private final Studio studio;
     private final FileChoice choice;
     private final Dialogs dialogs;
     private final Errands errands;
     private Path folder = Path.of("").toAbsolutePath();
 
-    public PictureViewer(Stage owner, FileChoice choice, Dialogs dialogs, Errands errands) {
+    public PictureViewer(Stage owner, Studio studio, FileChoice choice, Dialogs dialogs, Errands errands) {
         this.owner = owner;
+        this.studio = studio;
         this.choice = choice;
         this.dialogs = dialogs;
         this.errands = errands;
@@ -45,11 +48,15 @@ public final class PictureViewer {
         Stage stage = new Stage();
         stage.initOwner(owner);
         stage.setTitle(file.getFileName() + " – Twister");
-        Scene scene = new Scene(new ViewerPane(picture, errands), WIDTH, HEIGHT);
+        ViewerPane pane = new ViewerPane(
+                picture, errands, () -> studio.pictureProperty().get().map(shown -> ShownRadiance.of(studio, shown)));
+        Scene scene = new Scene(pane, WIDTH, HEIGHT);
         scene.getStylesheets().setAll(owner.getScene().getStylesheets());
         scene.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
                 stage.hide();
+            } else if (event.getCode() == KeyCode.F) {
+                pane.flip();
             }
         });
         stage.setScene(scene);

@@ -1,6 +1,8 @@
 package dev.twister.gui.picture;
 
 import dev.twister.gui.controls.Problems;
+import dev.twister.gui.model.ComparedPictures;
+import dev.twister.gui.model.ComparedPictures.Mode;
 import dev.twister.gui.model.ScreenColor;
 import dev.twister.gui.model.ViewedPicture;
 import dev.twister.gui.studio.Errands;
@@ -11,6 +13,8 @@ import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Supplier;
 import javafx.scene.control.ColorPicker;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -42,7 +46,12 @@ final class ViewerPane extends BorderPane {
     private final Label values = new Label();
     private final Slider exposure = new Slider(-STOPS, STOPS, 0);
     private final List<LightControls> lights = new ArrayList<>();
+    private final CompareControls compare = new CompareControls(this::take);
+    private final Supplier<Optional<ShownRadiance>> rendering;
+    private Optional<Other> other = Optional.empty();
     private float[] shown;
+    private int shownWidth;
+    private int wiped;
     private double zoom = 1;
     private boolean toning;
     private boolean toneAgain;
@@ -57,13 +66,26 @@ final class ViewerPane extends BorderPane {
         }
     }
 
-    /** What is computed in the background. */
+    /** The rendering that the picture is compared with. */
     @SuppressWarnings("ArrayRecordComponent") // never compared
-    private record Toned(float[] radiance, int[] argb) {}
+    private record Other(int width, int height, float[] radiance) {}
 
-    ViewerPane(ViewedPicture picture, Errands errands) {
+    /**
+     * What is computed in the background.
+     *
+     * @param width of the pixels, which may be of two pictures
+     * @param result what the comparison says; empty without one
+     */
+    @SuppressWarnings("ArrayRecordComponent") // never compared
+    private record Toned(float[] radiance, int width, int[] argb, String result) {}
+
+    /** @param rendering the window's picture, if there is one */
+    ViewerPane(ViewedPicture picture, Errands errands, Supplier<Optional<ShownRadiance>> rendering) {
         this.picture = picture;
         this.errands = errands;
+        this.rendering = rendering;
+        shownWidth = picture.width();
+        wiped = picture.width() / 2;
         shown = picture.radiance();
         ScrollPane scroll = new ScrollPane(view);
         scroll.setPannable(true);
@@ -73,7 +95,13 @@ final class ViewerPane extends BorderPane {
             event.consume();
         });
         view.setId("viewed");
-        view.addEventHandler(MouseEvent.MOUSE_MOVED, event -> tell(event.getX(), event.getY()));
+        view.addEventHandler(MouseEvent.MOUSE_MOVED, event -> {
+            tell(event.getX(), event.getY());
+            if (compare.modeProperty().get() == Mode.WIPE) {
+                wiped = (int) (event.getX() / zoom);
+                tone();
+            }
+        });
         values.setId("viewed-values");
         values.setText(picture.width() + " × " + picture.height());
         VBox controls = new VBox(row("Exposure", "stops", exposure));
@@ -88,6 +116,8 @@ final class ViewerPane extends BorderPane {
             row.getChildren().add(change.color());
             controls.getChildren().add(row);
         }
+        controls.getChildren().add(compare);
+        compare.modeProperty().subscribe((_, now) -> compare(now));
         HBox status = new HBox(values);
         status.getStyleClass().add("status");
         setCenter(scroll);
@@ -117,20 +147,67 @@ final class ViewerPane extends BorderPane {
             toning = true;
             double stops = exposure.getValue();
             List<Rgb> factors = lights.stream().map(LightControls::factor).toList();
-            errands.run(() -> toned(stops, factors), this::show, this::complain);
+            Mode mode = compare.modeProperty().get();
+            int columns = wiped;
+            Optional<Other> second = other;
+            errands.run(() -> toned(stops, factors, mode, columns, second), this::show, this::complain);
         }
     }
 
-    private Toned toned(double stops, List<Rgb> factors) {
+    private Toned toned(double stops, List<Rgb> factors, Mode mode, int columns, Optional<Other> second) {
         float[] radiance = picture.lit(factors);
         Rendering settings = Rendering.DEFAULT.withTone(stops, Rendering.DEFAULT.toneMap(), true);
-        return new Toned(radiance, TonedPixels.of(radiance, settings));
+        Optional<Other> same = second.filter(one -> one.width() == picture.width() && one.height() == picture.height());
+        if (same.isEmpty()) {
+            String apart = second.map(one -> "The rendering has " + one.width() + " × " + one.height()
+                            + " pixels; only pictures of the same size are compared. Save one with F12.")
+                    .orElse("");
+            return new Toned(radiance, picture.width(), TonedPixels.of(radiance, settings), apart);
+        }
+        ComparedPictures both = new ComparedPictures(
+                picture.width(), picture.height(), radiance, same.get().radiance());
+        return new Toned(
+                mode == Mode.SECOND ? same.get().radiance() : radiance,
+                both.width(mode),
+                both.pixels(mode, columns, settings),
+                String.format(Locale.ROOT, "Root mean square difference: %.4g", both.rootMeanSquare()));
+    }
+
+    /** Goes to and fro between the picture and the rendering. */
+    void flip() {
+        compare.flip();
+    }
+
+    private void compare(Mode mode) {
+        if (mode != Mode.FIRST && other.isEmpty()) {
+            take();
+        } else {
+            tone();
+        }
+    }
+
+    /** Takes the window's picture as it is now. */
+    private void take() {
+        rendering
+                .get()
+                .ifPresentOrElse(
+                        now -> errands.run(
+                                () -> new Other(now.width(), now.height(), now.await()),
+                                taken -> {
+                                    other = Optional.of(taken);
+                                    tone();
+                                },
+                                this::complain),
+                        () -> compare.tell("The window has no picture yet"));
     }
 
     private void show(Toned toned) {
         shown = toned.radiance();
+        shownWidth = toned.width();
+        compare.tell(toned.result());
         view.setImage(new WritableImage(new PixelBuffer<>(
-                picture.width(), picture.height(), IntBuffer.wrap(toned.argb()), PixelFormat.getIntArgbPreInstance())));
+                toned.width(), picture.height(), IntBuffer.wrap(toned.argb()), PixelFormat.getIntArgbPreInstance())));
+        zoomTo(zoom);
         toning = false;
         if (toneAgain) {
             tone();
@@ -145,12 +222,12 @@ final class ViewerPane extends BorderPane {
     private void zoomTo(double wanted) {
         zoom = Math.clamp(wanted, LEAST_ZOOM, MOST_ZOOM);
         view.setSmooth(zoom < 1);
-        view.setFitWidth(picture.width() * zoom);
+        view.setFitWidth(shownWidth * zoom);
         view.setFitHeight(picture.height() * zoom);
     }
 
     private void tell(double x, double y) {
-        int column = Math.clamp((int) (x / zoom), 0, picture.width() - 1);
+        int column = (int) Math.clamp(x / zoom, 0, shownWidth - 1) % picture.width();
         int row = Math.clamp((int) (y / zoom), 0, picture.height() - 1);
         values.setText(String.format(
                 Locale.ROOT,

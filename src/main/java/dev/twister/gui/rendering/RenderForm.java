@@ -19,6 +19,7 @@ import dev.twister.render.Renderer;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.VisibleBodies;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
@@ -137,7 +138,7 @@ final class RenderForm extends GridPane {
 
     /** The order of the form for the present scene; empty if there is an error. */
     Optional<RenderOrder> order(Path file) {
-        Scene scene = studio.scene();
+        Scene scene = VisibleBodies.of(studio.scene());
         return size.size()
                 .filter(_ -> samples.complaint().or(shadows::complaint).isEmpty())
                 .map(wanted -> scene.withRendering(settings(scene.rendering(), wanted)))

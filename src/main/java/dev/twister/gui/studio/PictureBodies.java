@@ -7,6 +7,7 @@ import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Tag;
 import java.util.List;
 
 /**
@@ -31,7 +32,11 @@ public record PictureBodies(Scene pictured, Scene standing, boolean renumbered) 
         // Without additions and deletions numbers stay the same; this avoids comparing half a million bodies per
         // picture.
         boolean kept = body == BodyNumber.NONE || body == BodyNumber.PLANE;
-        if (kept || !renumbered || (body == BodyNumber.LIGHT && wanted.lights().count() == 1)) {
+        if (kept
+                || !renumbered
+                || (body == BodyNumber.LIGHT
+                        && wanted.lights().count() == 1
+                        && given.lights().count() == 1)) {
             return body;
         }
         if (BodyEdits.isLight(given, body)) {
@@ -43,7 +48,10 @@ public record PictureBodies(Scene pictured, Scene standing, boolean renumbered) 
     }
 
     private static int sameLight(Lights wanted, Light light) {
-        int found = wanted.list().indexOf(light);
+        int found = wanted.list().stream()
+                .map(one -> one.withTag(Tag.NONE))
+                .toList()
+                .indexOf(light.withTag(Tag.NONE));
         return found < 0 ? BodyNumber.NONE : BodyNumber.ofLight(found);
     }
 
@@ -56,7 +64,11 @@ public record PictureBodies(Scene pictured, Scene standing, boolean renumbered) 
     }
 
     private static int sameMesh(List<Mesh> wanted, Scene given, int body) {
-        int found = BodyEdits.isMesh(given, body) ? wanted.indexOf(BodyEdits.mesh(given, body)) : -1;
+        List<Mesh> untagged =
+                wanted.stream().map(mesh -> mesh.withTag(Tag.NONE)).toList();
+        int found = BodyEdits.isMesh(given, body)
+                ? untagged.indexOf(BodyEdits.mesh(given, body).withTag(Tag.NONE))
+                : -1;
         return found < 0 ? BodyNumber.NONE : BodyNumber.ofMesh(found);
     }
 }

@@ -12,6 +12,7 @@ import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.ResolutionMode;
+import dev.twister.gui.model.TagEdits;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Body;
 import dev.twister.scene.Camera;
@@ -72,6 +73,8 @@ public final class Studio implements AutoCloseable {
     private long lastPulseNanos;
     private double viewWidth;
     private double viewHeight;
+    private final DrawnScene drawn = new DrawnScene();
+    private Optional<Scene> requested = Optional.empty();
     private long requests;
 
     /** The first request with the present body numbers; they change when bodies are added or deleted. */
@@ -133,7 +136,10 @@ public final class Studio implements AutoCloseable {
         return picture.get()
                 .map(DrawnPicture::request)
                 .filter(request -> request.document() == document.number())
-                .map(request -> new PictureBodies(request.scene(), document.scene(), request.number() < numbered));
+                .map(request -> new PictureBodies(
+                        request.scene(),
+                        document.scene(),
+                        request.number() < numbered || hasOtherCounts(request.scene(), document.scene())));
     }
 
     /** The samples per pixel of the picture; empty unless it is finished and no other is being drawn. */
@@ -406,17 +412,24 @@ public final class Studio implements AutoCloseable {
     }
 
     private void changing(Scene before, Scene now) {
-        if (before.lights().count() != now.lights().count()
-                || before.spheres().size() != now.spheres().size()
-                || before.meshes().size() != now.meshes().size()) {
+        if (hasOtherCounts(before, now) || TagEdits.hideOthers(before, now)) {
             numbered = requests + 1;
         }
     }
 
+    private static boolean hasOtherCounts(Scene one, Scene other) {
+        return one.lights().count() != other.lights().count()
+                || one.spheres().size() != other.spheres().size()
+                || one.meshes().size() != other.meshes().size();
+    }
+
     private void changed(Scene before, Scene now) {
         selection.follow(before, now);
-        // Views that are kept change no picture.
-        if (!before.withViews(now.views()).equals(now)) {
+        // Views that are kept, names and groups change no picture.
+        Scene wanted = drawn.of(now);
+        if (requested
+                .filter(last -> last.withViews(wanted.views()).equals(wanted))
+                .isEmpty()) {
             request();
         }
     }
@@ -424,13 +437,15 @@ public final class Studio implements AutoCloseable {
     private void request() {
         if (viewWidth >= 1 && viewHeight >= 1) {
             requests++;
+            Scene wanted = drawn.of(scene());
+            requested = Optional.of(wanted);
             PictureSize size = resolution.get().size(viewWidth, viewHeight);
             int refineTo = refining.get() ? RefinementGoal.samples(scene(), shown.get()) : 0;
             Refinement refinement = new Refinement(refineTo, noiseGoal.get(), denoiser.get());
             loop.request(new DrawingRequest(
                     requests,
                     document.number(),
-                    scene(),
+                    wanted,
                     size.width(),
                     size.height(),
                     engine.get(),

@@ -32,6 +32,17 @@ final class LightRules {
 
     /**
      * @param fields of the scene, in the file
+     * @throws SceneException if all lights are hidden
+     */
+    static void checkVisible(Scene scene, Fields fields) {
+        if (scene.lights().list().stream().allMatch(light -> light.tag().hidden())) {
+            throw fields.failure(
+                    fields.value().offset(), "$ has hidden lights alone; at least one light must be visible");
+        }
+    }
+
+    /**
+     * @param fields of the scene, in the file
      * @throws SceneException if it has too many groups of lights
      */
     static void checkGroups(Scene scene, Fields fields) {

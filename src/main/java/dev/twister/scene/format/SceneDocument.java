@@ -25,6 +25,7 @@ final class SceneDocument {
                 .scene()
                 .read(root);
         LightRules.check(fields);
+        LightRules.checkVisible(scene, fields);
         LightRules.checkGroups(scene, fields);
         KeyframeRules.check(scene.camera().keyframes(), fields.get("camera").fields());
         ViewRules.check(scene.views(), fields);

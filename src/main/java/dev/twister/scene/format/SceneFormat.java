@@ -28,6 +28,7 @@ import dev.twister.scene.Shading;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sky;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Tag;
 import dev.twister.scene.Title;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Track;
@@ -47,6 +48,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.SequencedMap;
+import java.util.function.BiFunction;
+import java.util.function.Function;
 
 /**
  * The fields of a scene file of some version: the one list that reader and writer go by, and that the schema is held
@@ -62,6 +65,9 @@ final class SceneFormat {
 
     /** The version that first has several lights. */
     private static final int LIGHTS_SINCE = 3;
+
+    /** The version that first has names of bodies. */
+    private static final int TAGS_SINCE = 3;
 
     /** The version that first has tracks. */
     private static final int TRACKS_SINCE = 3;
@@ -176,6 +182,14 @@ final class SceneFormat {
 
     private static final Field<CameraView, String> VIEW_NAME =
             required(ViewRules.NAME, new Text(1, SceneLimits.MAX_NAME_LENGTH), CameraView::name, CameraView::withName);
+
+    private static final List<Field<Tag, ?>> TAG = List.of(
+            sparse("name", new Text(0, SceneLimits.MAX_NAME_LENGTH), Tag::name, Tag::withName)
+                    .from(TAGS_SINCE),
+            sparse("group", new Text(0, SceneLimits.MAX_NAME_LENGTH), Tag::group, Tag::withGroup)
+                    .from(TAGS_SINCE),
+            sparse("hidden", FLAG, Tag::hidden, Tag::withHidden).from(TAGS_SINCE),
+            sparse("locked", FLAG, Tag::locked, Tag::withLocked).from(TAGS_SINCE));
 
     private static final List<Field<Light, ?>> LIGHT = List.of(
             required("position", POSITION, Light::position, Light::withPosition),
@@ -335,12 +349,14 @@ final class SceneFormat {
     }
 
     Shaped<Sphere> sphere() {
+        List<Field<Sphere, ?>> tags = tags(Sphere::tag, Sphere::withTag);
         Field<Sphere, Material> name = required(MATERIAL, named, Sphere::material, Sphere::withMaterial)
                 .from(2);
         return new Shaped<>(
                 MATERIAL,
-                structure(Sphere.DEFAULT, List.of(SPHERE, List.of(name))),
-                structure(Sphere.DEFAULT, List.of(SPHERE, material.within(Sphere::material, Sphere::withMaterial))),
+                structure(Sphere.DEFAULT, List.of(SPHERE, List.of(name), tags)),
+                structure(
+                        Sphere.DEFAULT, List.of(SPHERE, material.within(Sphere::material, Sphere::withMaterial), tags)),
                 sphere -> named.have(sphere.material()));
     }
 
@@ -364,6 +380,7 @@ final class SceneFormat {
                         .from(2),
                 sparse("scale", new Decimal(SceneLimits.SCALE), Mesh::scale, Mesh::withScale)
                         .from(2));
+        List<Field<Mesh, ?>> tags = tags(Mesh::tag, Mesh::withTag);
         Field<Mesh, Material> name = Field.<Mesh, Material>required(
                         MATERIAL, named, mesh -> mesh.material().orElseThrow(), Mesh::withMaterial)
                 .from(2);
@@ -375,7 +392,7 @@ final class SceneFormat {
                 .from(2);
         return new Shaped<>(
                 MATERIAL,
-                structure(defaults, List.of(triangles, placement, shading, List.of(name))),
+                structure(defaults, List.of(triangles, placement, shading, List.of(name), tags)),
                 structure(
                         defaults,
                         List.of(
@@ -383,13 +400,20 @@ final class SceneFormat {
                                 placement,
                                 shading,
                                 List.of(color),
-                                uncolored.optional().within(Mesh::own, Mesh::withMaterial))),
+                                uncolored.optional().within(Mesh::own, Mesh::withMaterial),
+                                tags)),
                 mesh -> mesh.material().filter(named::have).isPresent());
     }
 
     Structure<Pour> pour() {
         return structure(
                 Pour.DEFAULT, List.of(POUR, uncolored.within(Pour::material, Pour::withMaterial), List.of(POUR_SEED)));
+    }
+
+    private static <R> List<Field<R, ?>> tags(Function<R, Tag> tag, BiFunction<R, Tag, R> withTag) {
+        return TAG.stream()
+                .<Field<R, ?>>map(field -> field.within(tag, withTag))
+                .toList();
     }
 
     private <R> Structure<R> structure(R defaults, List<List<Field<R, ?>>> parts) {
@@ -400,7 +424,7 @@ final class SceneFormat {
     private Field<Lights, Optional<Light>> light() {
         Field<Lights, Optional<Light>> field = required(
                 LightRules.ONE,
-                ValueType.present(structure(Light.DEFAULT, List.of(LIGHT))),
+                ValueType.present(structure(Light.DEFAULT, List.of(LIGHT, tags(Light::tag, Light::withTag)))),
                 lights -> Optional.of(lights.first()).filter(_ -> lights.count() == 1),
                 (_, light) -> Lights.of(light.orElseThrow()));
         return version < LIGHTS_SINCE ? field : field.orOther();
@@ -408,7 +432,7 @@ final class SceneFormat {
 
     private Field<Lights, Optional<List<Light>>> lights() {
         Array<Light> several = new Array<>(
-                structure(Light.DEFAULT, List.of(LIGHT)),
+                structure(Light.DEFAULT, List.of(LIGHT, tags(Light::tag, Light::withTag))),
                 1,
                 SceneLimits.MAX_LIGHTS,
                 "an array of 1 to " + SceneLimits.MAX_LIGHTS + " lights");

@@ -18,8 +18,9 @@ class ChosenFileTest {
         assertThat(ChosenFile.forScene(folder.resolve("room 1.2"))).isEqualTo(folder.resolve("room 1.2.json"));
         assertThat(ChosenFile.forScene(folder.resolve("shot.png"))).isEqualTo(folder.resolve("shot.png.json"));
         assertThat(ChosenFile.forScene(folder.resolve("A.JSON"))).isEqualTo(folder.resolve("A.JSON"));
-        assertThat(ChosenFile.forPicture(folder.resolve("shot"), false)).isEqualTo(folder.resolve("shot.png"));
-        assertThat(ChosenFile.forPicture(folder.resolve("shot.png"), true)).isEqualTo(folder.resolve("shot.hdr"));
+        assertThat(ChosenFile.forPicture(folder.resolve("shot"), ".png")).isEqualTo(folder.resolve("shot.png"));
+        assertThat(ChosenFile.forPicture(folder.resolve("shot.png"), ".hdr")).isEqualTo(folder.resolve("shot.hdr"));
+        assertThat(ChosenFile.forPicture(folder.resolve("shot"), ".exr")).isEqualTo(folder.resolve("shot.exr"));
     }
 
     @Test
@@ -30,7 +31,7 @@ class ChosenFileTest {
 
         assertThat(ChosenFile.forScene(folder.resolve("saved"))).isEqualTo(folder.resolve("saved-3.json"));
         assertThat(ChosenFile.forScene(folder.resolve("saved.json"))).isEqualTo(folder.resolve("saved.json"));
-        assertThat(ChosenFile.forPicture(folder.resolve("shot.png"), true)).isEqualTo(folder.resolve("shot-2.hdr"));
-        assertThat(ChosenFile.forPicture(folder.resolve("shot.hdr"), true)).isEqualTo(folder.resolve("shot.hdr"));
+        assertThat(ChosenFile.forPicture(folder.resolve("shot.png"), ".hdr")).isEqualTo(folder.resolve("shot-2.hdr"));
+        assertThat(ChosenFile.forPicture(folder.resolve("shot.hdr"), ".hdr")).isEqualTo(folder.resolve("shot.hdr"));
     }
 }

@@ -566,13 +566,13 @@ final class SpoiltScenes {
                     true,
                     "\"size\": [1",
                     "\"file\": \"earth.png\", \"size\": [1",
-                    "8:30: $.meshes[0].file and \"shape\" are both given; allowed beside \"shape\": size, position, rotation, scale, material, color, reflectivity, roughness, metallic, transmission, ior, emission, emissionStrength, doubleSided, lightGroup, attenuationColor, attenuationDistance, texture, emissionMap, roughnessMap, normalMap, alphaMode, alphaCutoff"),
+                    "8:30: $.meshes[0].file and \"shape\" are both given; allowed beside \"shape\": size, position, rotation, scale, material, name, group, hidden, locked, color, reflectivity, roughness, metallic, transmission, ior, emission, emissionStrength, doubleSided, lightGroup, attenuationColor, attenuationDistance, texture, emissionMap, roughnessMap, normalMap, alphaMode, alphaCutoff"),
             shape(
                     "size of a file",
                     true,
                     "\"shape\": \"box\"",
                     "\"file\": \"earth.png\"",
-                    "8:35: $.meshes[0].size goes with \"shape\" only, which is not given here; allowed without it: file, position, rotation, scale, smooth, material, color, reflectivity, roughness, metallic, transmission, ior, emission, emissionStrength, doubleSided, lightGroup, attenuationColor, attenuationDistance, texture, emissionMap, roughnessMap, normalMap, alphaMode, alphaCutoff"),
+                    "8:35: $.meshes[0].size goes with \"shape\" only, which is not given here; allowed without it: file, scene, position, rotation, scale, smooth, material, name, group, hidden, locked, color, reflectivity, roughness, metallic, transmission, ior, emission, emissionStrength, doubleSided, lightGroup, attenuationColor, attenuationDistance, texture, emissionMap, roughnessMap, normalMap, alphaMode, alphaCutoff"),
             shape(
                     "neither file nor shape",
                     true,

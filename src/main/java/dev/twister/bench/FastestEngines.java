@@ -1,0 +1,36 @@
+package dev.twister.bench;
+
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** Which engine is the fastest at how many settings. */
+final class FastestEngines {
+    private FastestEngines() {}
+
+    /** Such as "The fastest engine of 15 settings: vector at 14, parallel at 1."; empty where nothing was measured. */
+    static String sentence(BenchmarkReport report) {
+        Map<String, Long> wins = report.plan().settings().stream()
+                .flatMap(setting -> fastest(report, setting).stream())
+                .collect(Collectors.groupingBy(engine -> engine, LinkedHashMap::new, Collectors.counting()));
+        long settings = wins.values().stream().mapToLong(count -> count).sum();
+        if (settings == 0) {
+            return "";
+        }
+        String counts = wins.entrySet().stream()
+                .sorted(Map.Entry.<String, Long>comparingByValue().reversed())
+                .map(win -> win.getKey() + " at " + win.getValue())
+                .collect(Collectors.joining(", "));
+        return "The fastest engine of " + ReportNumbers.counted((int) settings, "setting") + ": " + counts + ".";
+    }
+
+    private static Optional<String> fastest(BenchmarkReport report, Setting setting) {
+        return report.engines().stream()
+                .flatMap(engine -> report.find(engine, setting).stream())
+                .max(Comparator.comparingDouble(
+                        measurement -> measurement.times().fps()))
+                .map(Measurement::engine);
+    }
+}
