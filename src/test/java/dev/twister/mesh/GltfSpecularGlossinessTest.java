@@ -21,26 +21,24 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Textures of KHR_materials_pbrSpecularGlossiness. */
 class GltfSpecularGlossinessTest {
-    private static final String GLTF = """
-            {"asset": {"version": "2.0"},
-            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
-            "materials": [{"extensions": {"KHR_materials_pbrSpecularGlossiness": {
-              "diffuseTexture": {"index": 0}, "specularGlossinessTexture": {"index": 1%s}}}}],
-            "textures": [{"source": 0}, {"source": 1}],
-            "images": [{"uri": "data:image/png;base64,%s"}, {"uri": "data:image/png;base64,%s"}],
-            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
-            "bufferViews": [{"buffer": 0, "byteLength": 36}],
-            "buffers": [{"byteLength": 36,
-              "uri": "data:;base64,AACgwAAAAAAAAAAAAACgQAAAAAAAAAAAAAAAAAAAIEEAAAAA"}]}
-            """;
-
     @TempDir
     private Path folder;
 
     private final List<String> warnings = new ArrayList<>();
 
     private MeshFile read(String place, int[] diffuse, int[] glossy) throws IOException {
-        String text = GLTF.formatted(place, png(diffuse), png(glossy));
+        String text = """
+                {"asset": {"version": "2.0"},
+                "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+                "materials": [{"extensions": {"KHR_materials_pbrSpecularGlossiness": {
+                  "diffuseTexture": {"index": 0}, "specularGlossinessTexture": {"index": 1%s}}}}],
+                "textures": [{"source": 0}, {"source": 1}],
+                "images": [{"uri": "data:image/png;base64,%s"}, {"uri": "data:image/png;base64,%s"}],
+                "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+                "bufferViews": [{"buffer": 0, "byteLength": 36}],
+                "buffers": [{"byteLength": 36,
+                  "uri": "data:;base64,AACgwAAAAAAAAAAAAACgQAAAAAAAAAAAAAAAAAAAIEEAAAAA"}]}
+                """.formatted(place, png(diffuse), png(glossy));
         return Reading.read(folder, "a.gltf", text.getBytes(StandardCharsets.UTF_8), 0, warnings);
     }
 
