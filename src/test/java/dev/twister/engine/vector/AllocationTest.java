@@ -11,7 +11,6 @@ import dev.twister.engine.vector.lanes.FusedMultiplyAdd;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.image.Frame;
 import dev.twister.oracle.Crowds;
-import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
@@ -22,7 +21,6 @@ import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import jdk.incubator.vector.FloatVector;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -49,8 +47,9 @@ final class AllocationTest {
         "512, benchmark",
         "512, crowd of 100",
         "512, pour-on-mesh",
-        "256, all materials",
-        "512, all materials",
+        "256, glass",
+        "256, gallery of metal",
+        "512, glass",
         "256, crowd of 1000",
         "512, crowd of 1000"
     })
@@ -98,7 +97,7 @@ final class AllocationTest {
     static final class WarmFrames {
         static final String WARM = "warm: ";
         private static final String CROWD = "crowd of ";
-        private static final String MATERIALS = "all materials";
+        private static final String METAL = " of metal";
         private static final OperatingSystemMXBean SYSTEM =
                 ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
 
@@ -117,34 +116,24 @@ final class AllocationTest {
         }
 
         private static World world(String scene) {
-            return switch (scene) {
-                case MATERIALS -> world(withAllMaterials(), 320, 180);
-                case String crowd
-                when crowd.startsWith(CROWD) ->
-                    Crowds.world(Integer.parseInt(crowd.substring(CROWD.length())), 640, 360);
-                default -> world(shipped(scene), 640, 360);
-            };
+            return scene.startsWith(CROWD)
+                    ? Crowds.world(Integer.parseInt(scene.substring(CROWD.length())), 640, 360)
+                    : shipped(scene);
         }
 
-        /** Glass, metals, rough surfaces and textures, of spheres and meshes, through a lens. */
-        private static Scene withAllMaterials() {
-            Scene gallery = shipped("gallery");
-            List<Mesh> meshes = new ArrayList<>(gallery.meshes());
-            meshes.addAll(shipped("knot").meshes());
-            return gallery.withMeshes(meshes)
-                    .withSpheres(shipped("glass").spheres())
-                    .withCamera(gallery.camera().withAperture(0.05).withFocusDistance(7));
-        }
-
-        private static Scene shipped(String name) {
-            return SceneReader.read(Path.of("scenes", name + ".json"));
-        }
-
-        private static World world(Scene scene, int width, int height) {
+        private static World shipped(String name) {
+            Scene plain = SceneReader.read(Path.of("scenes", name.replace(METAL, "") + ".json"));
+            Scene scene = name.endsWith(METAL) ? ofMetal(plain) : plain;
             SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
             World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
-            world.setSettings(world.settings().withSize(width, height));
+            world.setSettings(world.settings().withSize(640, 360));
             return world;
+        }
+
+        private static Scene ofMetal(Scene plain) {
+            return plain.withMeshes(plain.meshes().stream()
+                    .map(mesh -> mesh.withMaterial(mesh.material().map(material -> material.withMetallic(1))))
+                    .toList());
         }
 
         private static long bytesAFrame(Engine vector, FrameInput input, Frame frame) {
