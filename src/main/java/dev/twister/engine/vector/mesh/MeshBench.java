@@ -11,6 +11,11 @@ public final class MeshBench {
 
     final PacketWalk mesh = new PacketWalk();
 
+    /** The triangles that may block the current packet's light. */
+    final ConeTriangles listed = new ConeTriangles();
+
+    final DiscColumns disc = new DiscColumns();
+
     /** Sum of the blocked parts of all samples per lane. */
     final float[] blocked = new float[Lanes.BORDER + Lanes.COUNT];
 

@@ -3,6 +3,7 @@ package dev.twister.engine.vector.mesh;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.frame.MeshColumns;
 import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.ShadowColumns;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.shadow.ShadowCandidates;
 import dev.twister.kernel.Instance;
@@ -14,6 +15,9 @@ import java.util.Arrays;
 public final class MeshShadows {
     /** With more meshes, the test of all bounding spheres is skipped. */
     private static final int MOST_MESHES = 256;
+
+    /** With fewer samples, each walks the hierarchies on its own. */
+    private static final int FEWEST_IN_CONES = 3;
 
     private MeshShadows() {}
 
@@ -51,23 +55,90 @@ public final class MeshShadows {
 
     /** Tests the samples of one packet; returns one bit per lane that is still open. */
     private static long find(Drawing drawing, Tile tile, MeshBench bench, int at, long open) {
-        long lit = open;
-        float[] blocked = bench.blocked;
-        Arrays.fill(blocked, 0f);
+        int samples = drawing.shadowSamples;
         ShadowLines.findAxes(tile, at, drawing, bench);
+        boolean listed = samples >= FEWEST_IN_CONES && bench.listed.find(drawing, tile, at, bench, open);
+        long dark = 0L;
+        if (!listed || bench.listed.instanceCount > 0) {
+            long dimmed = open & (listed ? project(drawing, tile, bench, at) : walk(drawing, tile, bench, at, open));
+            dark = dimmed & ShadowLines.hidden(tile, bench, samples);
+            long part = dimmed & ~dark;
+            if (part != 0L) {
+                tile.meshShadows.add(at);
+            }
+            ShadowLines.finish(tile, at, bench, dark, part);
+        }
+        return open & ~dark;
+    }
+
+    /** Sums up what the listed triangles block; returns one bit per lane with any. */
+    private static long project(Drawing drawing, Tile tile, MeshBench bench, int at) {
+        Bodies bodies = drawing.input.bodies();
+        ConeTriangles listed = bench.listed;
+        int samples = drawing.shadowSamples;
+        bench.disc.start(samples);
+        int first = 0;
+        for (int k = 0; k < listed.instanceCount; k++) {
+            int instance = listed.instances[k];
+            int body = (int) bodies.floats()[instance + Layout.INSTANCE_BODY];
+            if (project(drawing, tile, bench, at, instance, first, listed.ends[k])) {
+                float transmission = drawing.looks.transmits(body) ? drawing.looks.transmission(body) : 0f;
+                DiscLanes.dim(tile, bench.disc, transmission, samples);
+            }
+            first = listed.ends[k];
+        }
+        return DiscLanes.count(tile, bench.disc, bench.blocked, samples);
+    }
+
+    /** Marks the samples that triangles of an instance block; returns whether there may be any. */
+    private static boolean project(
+            Drawing drawing, Tile tile, MeshBench bench, int at, int instance, int first, int end) {
+        Bodies bodies = drawing.input.bodies();
+        float[] hierarchy = bodies.floats();
+        PacketWalk mesh = bench.mesh;
+        DiscColumns disc = bench.disc;
+        ShadowColumns columns = bench.shadows.columns;
+        mesh.start(bodies.meshes(), Instance.nodes(hierarchy, instance));
+        InstanceLanes.transform(tile, bench.world, mesh, hierarchy, instance + Layout.INSTANCE_TO_MESH);
+        InstanceLanes.ignore(tile, mesh, at, Tile.HIT, Tile.TRIANGLE, (int) hierarchy[instance + Layout.INSTANCE_BODY]);
+        System.arraycopy(tile.values, at + Tile.LIGHT_DISTANCE, disc.values, DiscColumns.DISTANCE, Lanes.COUNT);
+        DiscLanes.findRows(tile, at, columns, disc, hierarchy, instance + Layout.INSTANCE_TO_WORLD);
+        float size = size(hierarchy, instance + Layout.INSTANCE_TO_WORLD);
+        int triangles = Instance.triangles(hierarchy, instance);
+        boolean any = false;
+        for (int k = first; k < end; k++) {
+            disc.number = bench.listed.triangles[k];
+            int triangle = triangles + Layout.TRIANGLE_STRIDE * disc.number;
+            DiscLanes.place(tile, mesh, disc, triangle);
+            DiscLanes.shear(tile, columns, disc);
+            DiscLanes.findEdges(tile, disc);
+            if (DiscLanes.turn(tile, columns, mesh, disc, triangle, size) != 0L) {
+                DiscLanes.mark(tile, columns, disc, drawing.discX, drawing.discY, drawing.shadowSamples);
+                any = true;
+            }
+        }
+        return any;
+    }
+
+    /** What the transform multiplies volumes by. */
+    private static float size(float[] hierarchy, int rows) {
+        float x = hierarchy[rows + 5] * hierarchy[rows + 10] - hierarchy[rows + 6] * hierarchy[rows + 9];
+        float y = hierarchy[rows + 6] * hierarchy[rows + 8] - hierarchy[rows + 4] * hierarchy[rows + 10];
+        float z = hierarchy[rows + 4] * hierarchy[rows + 9] - hierarchy[rows + 5] * hierarchy[rows + 8];
+        return Math.abs(hierarchy[rows] * x + hierarchy[rows + 1] * y + hierarchy[rows + 2] * z);
+    }
+
+    /** As {@link #project}, sample by sample past all triangles. */
+    private static long walk(Drawing drawing, Tile tile, MeshBench bench, int at, long open) {
+        Arrays.fill(bench.blocked, 0f);
+        long dimmed = 0L;
         for (int sample = 0; sample < drawing.shadowSamples; sample++) {
             int first = (int) ShadowLines.aim(tile, at, bench, open, drawing.discX[sample], drawing.discY[sample]);
             bench.world.follow(first);
             walk(drawing, tile, bench, at);
-            lit &= ~ShadowLines.count(tile, bench);
+            dimmed |= ShadowLines.count(tile, bench);
         }
-        long dark = open & ShadowLines.hidden(tile, bench, drawing.shadowSamples);
-        long part = open & ~dark & ~lit;
-        if (part != 0L) {
-            tile.meshShadows.add(at);
-        }
-        ShadowLines.finish(tile, at, bench, dark, part);
-        return open & ~dark;
+        return dimmed;
     }
 
     /** Ends the lines that opaque bodies block, and dims those that pass others. */
