@@ -17,7 +17,8 @@ import org.junit.jupiter.api.Test;
 
 /** Who calls the library need not wrap a value in an {@code Optional}. */
 class OptionalParametersTest {
-    private static final Pattern EXCLUDED = Pattern.compile("<excludePackageNames>(.*)</excludePackageNames>");
+    private static final Pattern EXCLUDED =
+            Pattern.compile("<packages.without.javadoc>(.*)</packages.without.javadoc>");
 
     @Test
     void noPublicMethodOfTheDocumentedPackagesTakesAnOptional() throws IOException {

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -98,7 +99,7 @@ final class DevicesCommand implements Callable<Integer> {
         out.println("These engines work here:");
         offers.stream().filter(EngineOffer::works).forEach(offer -> print(out, offer, idWidth));
         out.println();
-        out.println(autoLine(fastest.remembered(offers)));
+        out.println(autoLine(fastest.remembered(offers), fastest.day(offers)));
         if (offers.stream().anyMatch(offer -> !offer.works())) {
             out.println();
             out.println("These do not:");
@@ -119,8 +120,9 @@ final class DevicesCommand implements Callable<Integer> {
                 + offer.description());
     }
 
-    private static String autoLine(Optional<String> taken) {
-        return taken.map(id -> "auto takes " + id + " here.")
+    private static String autoLine(Optional<String> taken, Optional<LocalDate> day) {
+        return taken.map(id -> "auto takes " + id + " here"
+                        + day.map(measured -> ", measured on " + measured).orElse("") + ".")
                 .orElse("auto has not been measured here yet; 'twister devices --measure' does that and says what it"
                         + " takes.");
     }

@@ -88,6 +88,13 @@ final class GltfImages {
         return TextureFiles.beside(file, GltfBuffers.name(uri), warnings);
     }
 
+    /** Adds an image that is made of the file's; returns its path. */
+    Path add(String name, byte[] picture) {
+        Path path = file.resolveSibling(file.getFileName() + "#" + name);
+        embedded.put(path, picture);
+        return path;
+    }
+
     private Optional<Path> embed(GltfPlace image, int index, GltfBuffers.Range range) throws IOException {
         embeddedBytes += range.length();
         if (embeddedBytes > bytes.length() + buffers.openedBytes()) {
@@ -95,8 +102,6 @@ final class GltfImages {
         }
         byte[] picture = range.bytes().copy(range.start(), (int) range.length());
         TextureFiles.check(picture);
-        Path path = file.resolveSibling(file.getFileName() + "#" + index);
-        embedded.put(path, picture);
-        return Optional.of(path);
+        return Optional.of(add(Integer.toString(index), picture));
     }
 }

@@ -28,12 +28,14 @@ final class GltfMaterials {
 
     private final GltfPlace root;
     private final GltfImages images;
+    private final GltfSpecularGlossiness specularGlossiness;
     private final Warnings warnings;
     private final Map<Integer, Textured> read = new HashMap<>();
 
     GltfMaterials(GltfPlace root, GltfImages images, Warnings warnings) {
         this.root = root;
         this.images = images;
+        specularGlossiness = new GltfSpecularGlossiness(images, warnings);
         this.warnings = warnings;
     }
 
@@ -58,7 +60,7 @@ final class GltfMaterials {
         GltfPlace extensions = material.at("extensions");
         GltfPlace glossy = extensions.at("KHR_materials_pbrSpecularGlossiness");
         Material base = glossy.exists()
-                ? GltfSpecularGlossiness.material(glossy, textures, warnings)
+                ? specularGlossiness.material(glossy, textures)
                 : metallicRoughness(material.at("pbrMetallicRoughness"), textures);
         Material whole = base.withAlpha(alpha(material, base))
                 .withEmission(emission(material))

@@ -25,6 +25,8 @@ class LessonsTest {
     private static final Pattern COMMAND =
             Pattern.compile("```bash\\nscripts/twister ([^\\n]+)\\n```(?:\\s+```text\\n(.*?)```)?", Pattern.DOTALL);
 
+    private static final Pattern METHOD = Pattern.compile("\\[`(\\w+)\\.(\\w+)`\\]\\(([^)]+\\.java)\\)");
+
     @TempDir
     private Path folder;
 
@@ -59,6 +61,18 @@ class LessonsTest {
         assertThat(answers).isGreaterThanOrEqualTo(2);
         assertThat(text.split("```bash\n", -1)).hasSize(1 + pictures + answers);
         assertThat(text.split("<details>", -1)).hasSize(3);
+    }
+
+    @ParameterizedTest
+    @MethodSource("lessons")
+    void methodsThatALessonNamesAreThere(Path lesson) throws IOException {
+        var methods = METHOD.matcher(Files.readString(lesson)).results().toList();
+        assertThat(methods).isNotEmpty();
+        for (var method : methods) {
+            Path source = FOLDER.resolve(method.group(3));
+            assertThat(source).hasFileName(method.group(1) + ".java");
+            assertThat(Files.readString(source)).containsPattern(" static \\w[\\w\\[\\]]* " + method.group(2) + "\\(");
+        }
     }
 
     private void pictureIsMade(List<String> words, String text) throws IOException {

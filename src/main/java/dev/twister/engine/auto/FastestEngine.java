@@ -6,6 +6,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import java.time.Duration;
+import java.time.LocalDate;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -16,8 +17,9 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 /**
- * Chooses the fastest engine by measuring each once on this machine, and remembers it. Pictures are rendered meanwhile;
- * benchmarks wait.
+ * Chooses the fastest engine by measuring each on this machine, and remembers it for a month. Pictures are rendered
+ * meanwhile; benchmarks wait. That {@code parallel} was the fastest beside others is not believed, as the machine may
+ * have been busy: it is confirmed beside the frames of each run. {@code twister devices --measure} measures at once.
  */
 public final class FastestEngine {
     /** The name that stands for the fastest engine. */
@@ -154,7 +156,8 @@ public final class FastestEngine {
         }
         List<EngineOffer> candidates = candidates(all.get());
         Optional<String> known = remembered(candidates);
-        known.ifPresent(id -> store.write(MachineKey.beforeDevices(candidates), id));
+        MachineKey early = MachineKey.beforeDevices(candidates);
+        known.filter(id -> !store.read(early).equals(Optional.of(id))).ifPresent(id -> store.write(early, id));
         return known.or(() -> fastestBeside(candidates, canceled))
                 .filter(fastest -> !atWork.contains(fastest) && !canceled.getAsBoolean())
                 .flatMap(fastest -> Engines.find(candidates, fastest))
@@ -225,6 +228,11 @@ public final class FastestEngine {
         List<EngineOffer> candidates = candidates(offers);
         return store.read(MachineKey.of(candidates))
                 .filter(id -> Engines.find(candidates, id).isPresent());
+    }
+
+    /** The day on which the remembered engine was measured. */
+    public Optional<LocalDate> day(List<EngineOffer> offers) {
+        return store.day(MachineKey.of(candidates(offers)));
     }
 
     /**

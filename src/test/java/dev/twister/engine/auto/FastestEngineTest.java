@@ -16,6 +16,7 @@ import dev.twister.world.SampleWorld;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Clock;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -121,7 +122,7 @@ class FastestEngineTest {
         Path file = Files.createFile(folder.resolve("not-a-folder"));
         List<EngineOffer> offers = offers("sequential", "parallel");
         for (Optional<Path> place : List.of(Optional.of(file), Optional.<Path>empty())) {
-            FastestEngine fastest = new FastestEngine(this::time, new ChoiceStore(place), NO_WAIT);
+            FastestEngine fastest = new FastestEngine(this::time, new ChoiceStore(place, Clock.systemUTC()), NO_WAIT);
             try (Engine engine = fastest.openMeasured(offers)) {
                 assertThat(engine.id()).isEqualTo("parallel");
             }
@@ -144,7 +145,9 @@ class FastestEngineTest {
     void whereNoneIsReadyInTimeParallelIsTakenAndNothingRemembered() {
         List<EngineOffer> offers = offers("sequential", "parallel");
         FastestEngine fastest = new FastestEngine(
-                (offer, limit, canceled) -> Optional.empty(), new ChoiceStore(Optional.of(folder)), NO_WAIT);
+                (offer, limit, canceled) -> Optional.empty(),
+                new ChoiceStore(Optional.of(folder), Clock.systemUTC()),
+                NO_WAIT);
 
         try (Engine engine = fastest.openMeasured(offers)) {
             assertThat(engine.id()).isEqualTo("parallel");
@@ -182,7 +185,7 @@ class FastestEngineTest {
                     cancelledTrials.countDown();
                     return Optional.of(Duration.ofMillis(1));
                 },
-                new ChoiceStore(Optional.of(folder)),
+                new ChoiceStore(Optional.of(folder), Clock.systemUTC()),
                 NO_WAIT);
         try (Engine engine = fastest.openAtOnce(offers)) {
             engine.render(SampleWorld.ofSize(8, 8).snapshot(), Frame.ofPixels(8, 8));
@@ -215,8 +218,8 @@ class FastestEngineTest {
     /** The search for devices starts while vector renders. */
     private void drawUntilRemembered(List<EngineOffer> offers) {
         CountDownLatch won = new CountDownLatch(1);
-        FastestEngine fastest =
-                new FastestEngine(this::time, new ChoiceStore(Optional.of(folder)), (_, _) -> Latches.await(won));
+        FastestEngine fastest = new FastestEngine(
+                this::time, new ChoiceStore(Optional.of(folder), Clock.systemUTC()), (_, _) -> Latches.await(won));
         try (Engine engine = fastest.openAtOnce(offers("parallel", "vector"), () -> offers)) {
             drawUntil(engine, "vector");
             won.countDown();
@@ -255,7 +258,7 @@ class FastestEngineTest {
     @Test
     void whereParallelOnceWonTheUsualEngineIsTriedNonetheless() {
         List<EngineOffer> offers = offers("parallel", "vector");
-        ChoiceStore store = new ChoiceStore(Optional.of(folder));
+        ChoiceStore store = new ChoiceStore(Optional.of(folder), Clock.systemUTC());
         store.write(MachineKey.beforeDevices(offers), "parallel");
         store.write(MachineKey.of(offers), "parallel");
 
@@ -360,7 +363,7 @@ class FastestEngineTest {
     }
 
     private FastestEngine fastest() {
-        return new FastestEngine(this::time, new ChoiceStore(Optional.of(folder)), NO_WAIT);
+        return new FastestEngine(this::time, new ChoiceStore(Optional.of(folder), Clock.systemUTC()), NO_WAIT);
     }
 
     private String open(List<EngineOffer> offers) {
