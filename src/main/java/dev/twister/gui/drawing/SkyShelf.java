@@ -1,5 +1,6 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.gui.model.DaylightFile;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.SkyException;
@@ -10,6 +11,7 @@ import dev.twister.sky.TextureReader;
 import dev.twister.world.HiddenTextures;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -50,7 +52,15 @@ public final class SkyShelf {
     private final Set<String> hiddenTextures = ConcurrentHashMap.newKeySet();
 
     public SkyShelf() {
-        this(SkyboxReader::read, TextureReader::read);
+        this(SkyShelf::read, TextureReader::read);
+    }
+
+    /** A missing daylight sky is drawn as its name tells. */
+    private static Skybox read(Path file, Consumer<String> warnings) {
+        return DaylightFile.of(file)
+                .filter(_ -> !Files.exists(file))
+                .map(DaylightFile::draw)
+                .orElseGet(() -> SkyboxReader.read(file, warnings));
     }
 
     /** A cache that reads files with these readers. */
@@ -69,7 +79,13 @@ public final class SkyShelf {
      *     canceled}
      */
     Skybox find(Path file, BooleanSupplier wanted) {
-        return kept(file).orElseGet(() -> keep(file, await(file, reader, wanted)));
+        // A missing daylight sky is drawn sooner than a slider moves on, and to cancel it would show none of them.
+        return kept(file)
+                .orElseGet(() -> keep(
+                        file,
+                        DaylightFile.of(file).isPresent()
+                                ? reader.apply(file, warnings::add)
+                                : await(file, reader, wanted)));
     }
 
     /** The file that a thread waits for in {@link #find} or {@link #texture}. */

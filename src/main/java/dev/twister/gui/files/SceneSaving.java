@@ -4,6 +4,7 @@ import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
 import dev.twister.gui.controls.Problems;
 import dev.twister.gui.model.CopiedTitle;
+import dev.twister.gui.model.DaylightFile;
 import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
@@ -138,6 +139,11 @@ public final class SceneSaving {
      * @param known the scene's own file when it was last read or written: if it has changed since, asks first
      */
     private void saveTo(Path file, EditedFile known, Runnable then) {
+        // A sky that the window has drawn is kept beside the scene.
+        if (!DaylightFile.movedBeside(file, studio.scene()).equals(studio.scene())) {
+            studio.edit("sky", scene -> DaylightFile.movedBeside(file, scene));
+            studio.endGesture();
+        }
         SceneHistory.Version version = document.toSave();
         saving++;
         errands.keepScene(
@@ -145,6 +151,7 @@ public final class SceneSaving {
                     if (known.isOverwrittenBy(file) && !isOwn(file)) {
                         return Optional.<EditedFile>empty();
                     }
+                    DaylightFile.writeIfMissing(version.scene());
                     SceneWriter.write(version.scene(), file, known.path());
                     lastWritten = Optional.of(new EditedFile(file, FileMark.of(file)));
                     return lastWritten;

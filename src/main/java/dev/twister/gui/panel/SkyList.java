@@ -1,5 +1,6 @@
 package dev.twister.gui.panel;
 
+import dev.twister.gui.model.DaylightFile;
 import dev.twister.gui.model.DroppedFile;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -30,6 +31,8 @@ public final class SkyList {
 
     /** What a list shows: the file's name without its ending. */
     static String label(Path panorama) {
-        return String.valueOf(panorama.getFileName()).replaceFirst("\\.[A-Za-z]+$", "");
+        return DaylightFile.of(panorama).isPresent()
+                ? "Daylight"
+                : String.valueOf(panorama.getFileName()).replaceFirst("\\.[A-Za-z]+$", "");
     }
 }

@@ -2,6 +2,7 @@ package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.AssetActions;
+import dev.twister.gui.model.DaylightNumbers;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.studio.Studio;
@@ -32,7 +33,10 @@ final class SkySection {
         other.setTooltip(Tooltips.of("Chooses a panorama's file: .hdr, .png or .jpg."));
         other.setOnAction(_ -> assets.chooseSky());
         sky.addControl(other);
-        numbers = NumberRow.of(SceneNumbers.SKY, studio);
+        numbers = NumberRow.of(
+                Stream.concat(SceneNumbers.SKY.stream(), DaylightNumbers.ALL.stream())
+                        .toList(),
+                studio);
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.document().originalProperty().subscribe(_ -> refresh());
     }
