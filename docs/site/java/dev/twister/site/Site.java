@@ -42,9 +42,9 @@ public final class Site {
 
     private static List<Page> pages() throws IOException {
         List<Path> files = new ArrayList<>();
-        for (String name : List.of("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "CODE_OF_CONDUCT.md")) {
-            files.add(Path.of(name));
-        }
+        Stream.of("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "CODE_OF_CONDUCT.md")
+                .map(Path::of)
+                .forEach(files::add);
         try (Stream<Path> found = Files.walk(Path.of("docs"))) {
             found.filter(file -> file.toString().endsWith(".md"))
                     .sorted()

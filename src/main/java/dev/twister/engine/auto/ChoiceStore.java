@@ -32,7 +32,7 @@ record ChoiceStore(Optional<Path> folder, Clock clock) {
     private static final int MOST_BYTES = 1 << 18;
 
     static ChoiceStore ofThisUser() {
-        return new ChoiceStore(UserFolder.CACHE.ofThisUser(), Clock.systemDefaultZone());
+        return new ChoiceStore(UserFolder.CACHE.ofThisUser(), Clock.systemUTC());
     }
 
     /** The engine that was the fastest, unless that is long ago. */
