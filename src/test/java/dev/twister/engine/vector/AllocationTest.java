@@ -140,7 +140,9 @@ final class AllocationTest {
 
         private static Scene ofMetal(Scene plain) {
             return plain.withMeshes(plain.meshes().stream()
-                    .map(mesh -> mesh.withMaterial(mesh.material().map(material -> material.withMetallic(1))))
+                    .map(mesh -> mesh.material()
+                            .map(material -> mesh.withMaterial(material.withMetallic(1)))
+                            .orElse(mesh))
                     .toList());
         }
 
