@@ -11,6 +11,8 @@ import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
 import dev.twister.scene.ImageMap;
 import dev.twister.scene.Keyframe;
+import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
 import dev.twister.scene.Pour;
@@ -117,6 +119,7 @@ class SceneFilePropertyTest {
                 .map(scene -> scene.withSpheres(scene.spheres().stream()
                         .map(sphere -> sphere.withMaterial(opaque(sphere.material())))
                         .toList()))
+                .map(scene -> scene.withLights(withOneSeen(scene.lights())))
                 .map(scene -> scene.withCamera(risingTimes(scene.camera())))
                 .map(scene -> scene.withViews(withOwnNames(scene.views())))
                 .map(scene -> scene.pour()
@@ -126,6 +129,11 @@ class SceneFilePropertyTest {
                         .orElse(scene))
                 .map(SceneFilePropertyTest::withPossibleTracks)
                 .map(SceneFilePropertyTest::withFiles);
+    }
+
+    private static Lights withOneSeen(Lights lights) {
+        Light first = lights.first();
+        return lights.with(0, first.withTag(first.tag().withHidden(false)));
     }
 
     private static Scene withPossibleTracks(Scene scene) {
