@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.files.SceneSaving;
+import dev.twister.gui.model.DaylightFile;
 import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
@@ -22,6 +23,7 @@ import dev.twister.scene.SceneException;
 import dev.twister.scene.Title;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.format.SceneWriter;
+import dev.twister.sky.ShippedSky;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.SkyboxReader;
 import java.awt.image.BufferedImage;
@@ -527,6 +529,24 @@ class FilesTest {
         assertThat(WindowDriver.call(driver.studio.document().editsProperty()::get)
                         .changed())
                 .isTrue();
+    }
+
+    @Test
+    void aDaylightSkyIsWrittenBesideTheScene() {
+        Path own = folder.resolve("evening.json");
+        driver.files.choose(own);
+        DaylightFile evening = new DaylightFile(8, -60, 3, 0);
+        driver.run(() -> {
+            driver.studio.edit("sky", evening::in);
+            driver.studio.endGesture();
+        });
+        driver.awaitCurrentPicture();
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
+        driver.await(() -> driver.studio.document().file().equals(own));
+
+        Path sky = folder.resolve(evening.name());
+        assertThat(SceneReader.read(own).sky().file()).isEqualTo(sky);
+        assertThat(SkyboxReader.read(sky, _ -> {}).width()).isEqualTo(ShippedSky.WIDTH);
     }
 
     @Test
