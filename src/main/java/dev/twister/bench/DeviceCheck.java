@@ -16,7 +16,7 @@ import java.util.Optional;
 public final class DeviceCheck {
     private static final double NANOS_PER_SECOND = 1e9;
 
-    /** Of a path-traced scene; engines follow the same paths, so that more samples would show nothing else. */
+    /** Per pixel. All engines have the same samples, so that more of them would show nothing else. */
     private static final int MOST_SAMPLES = 16;
 
     private final DeviceCheckPlan plan;

@@ -16,7 +16,7 @@ import java.util.Map;
  */
 public record DeviceCheckPlan(
         PictureSize pictureSize, PictureSize timedSize, int warmupFrames, int frames, double maxSeconds) {
-    /** Some minutes per engine on a small machine, most of them for path-traced scenes. */
+    /** About two minutes for an engine of a small processor. */
     public static final DeviceCheckPlan USUAL =
             new DeviceCheckPlan(new PictureSize(640, 360), PictureSize.HD, 20, 10, 5);
 

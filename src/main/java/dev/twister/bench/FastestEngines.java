@@ -13,7 +13,8 @@ final class FastestEngines {
     /** Such as "The fastest engine of 15 settings: vector at 14, parallel at 1."; empty where nothing was measured. */
     static String sentence(BenchmarkReport report) {
         Map<String, Long> wins = report.plan().settings().stream()
-                .flatMap(setting -> fastest(report, setting).stream())
+                .flatMap(setting -> at(report, setting).stream())
+                .map(Measurement::engine)
                 .collect(Collectors.groupingBy(engine -> engine, LinkedHashMap::new, Collectors.counting()));
         long settings = wins.values().stream().mapToLong(count -> count).sum();
         if (settings == 0) {
@@ -26,11 +27,11 @@ final class FastestEngines {
         return "The fastest engine of " + ReportNumbers.counted((int) settings, "setting") + ": " + counts + ".";
     }
 
-    private static Optional<String> fastest(BenchmarkReport report, Setting setting) {
+    /** The measurement of the fastest engine at a setting; empty if none was measured there. */
+    static Optional<Measurement> at(BenchmarkReport report, Setting setting) {
         return report.engines().stream()
                 .flatMap(engine -> report.find(engine, setting).stream())
                 .max(Comparator.comparingDouble(
-                        measurement -> measurement.times().fps()))
-                .map(Measurement::engine);
+                        measurement -> measurement.times().fps()));
     }
 }

@@ -37,7 +37,7 @@ final class HtmlText {
                 %s</main>
                 </body>
                 </html>
-                """.formatted(escaped(title), style(), escaped(heading), escaped(lead), content);
+                """.formatted(escaped(title), resource(STYLE), escaped(heading), escaped(lead), content);
     }
 
     /**
@@ -49,10 +49,11 @@ final class HtmlText {
                 + Base64.getEncoder().encodeToString(content) + "\">";
     }
 
-    private static String style() throws IOException {
-        try (InputStream stream = HtmlText.class.getResourceAsStream(STYLE)) {
+    /** A style sheet or a script of the pages. */
+    static String resource(String name) throws IOException {
+        try (InputStream stream = HtmlText.class.getResourceAsStream(name)) {
             if (stream == null) {
-                throw new IOException("Twister's own " + STYLE + " is missing from its jar");
+                throw new IOException("Twister's own " + name + " is missing from its jar");
             }
             return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
         }

@@ -2,7 +2,6 @@ package dev.twister.bench;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -74,10 +73,7 @@ final class PaperPage {
     /** The fastest engine at the paper's first setting, beside the paper. */
     private String first() {
         Setting first = report.plan().settings(PaperFigure.SIZES).getFirst();
-        return report.engines().stream()
-                .flatMap(engine -> report.find(engine, first).stream())
-                .max(Comparator.comparingDouble(
-                        measurement -> measurement.times().fps()))
+        return FastestEngines.at(report, first)
                 .map(fastest -> "At " + first.size().name() + " with hard shadows and one bounce, " + fastest.engine()
                         + " renders " + PlotLook.number(fastest.times().fps()) + " frames per second"
                         + PublishedFigures.fps(first.size())

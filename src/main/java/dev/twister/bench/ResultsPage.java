@@ -3,7 +3,6 @@ package dev.twister.bench;
 import dev.twister.files.WholeFile;
 import dev.twister.image.PictureSize;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Comparator;
@@ -68,7 +67,8 @@ public final class ResultsPage {
                         + " to the one of sequential. Click a heading to sort.",
                 table() + "<p class=\"note\">Quality is shadow samples / bounces, or paths per pixel. Gray rows are"
                         + " the paper's own figures (" + HtmlText.escaped(PublishedFigures.PAPER)
-                        + "), not measured by Twister.</p>\n" + refused() + "<script>\n" + script() + "</script>\n");
+                        + "), not measured by Twister.</p>\n" + refused() + "<script>\n" + HtmlText.resource(SCRIPT)
+                        + "</script>\n");
     }
 
     private String table() {
@@ -123,14 +123,5 @@ public final class ResultsPage {
 
     private static String number(Optional<Double> fps) {
         return "<td>" + fps.map(rate -> ReportNumbers.legible(rate, 1)).orElse("") + "</td>";
-    }
-
-    private static String script() throws IOException {
-        try (InputStream stream = ResultsPage.class.getResourceAsStream(SCRIPT)) {
-            if (stream == null) {
-                throw new IOException("Twister's own " + SCRIPT + " is missing from its jar");
-            }
-            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-        }
     }
 }

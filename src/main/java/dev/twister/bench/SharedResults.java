@@ -10,7 +10,7 @@ import java.util.Map;
 import tools.jackson.databind.JsonNode;
 
 /**
- * The results of any number of reports, also of machines and by people that are not known.
+ * The results of any number of reports, of any machines.
  *
  * @param rows those whose picture was that of {@code sequential}
  * @param refused the others, one line each

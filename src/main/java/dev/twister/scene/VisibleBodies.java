@@ -16,7 +16,8 @@ public final class VisibleBodies {
         return tags(scene).allMatch(Tag.NONE::equals) ? scene : untagged(scene);
     }
 
-    private static Stream<Tag> tags(Scene scene) {
+    /** The tags of all lights, spheres and meshes, in this order. */
+    public static Stream<Tag> tags(Scene scene) {
         return Stream.of(
                         scene.lights().list().stream().map(Light::tag),
                         scene.spheres().stream().map(Sphere::tag),

@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Scenes, lights and cameras of glTF files. */
 class GltfSurroundingsTest {
-    /** A triangle from (-5, 0, 0) to (5, 0, 0), 10 high: the stage shows it at a fifth of its size. */
+    /** A triangle from (-5, 0, 0) to (5, 0, 0), 10 high: the stage shows it at 0.2 of its size. */
     private static final String MESH = """
             "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
             "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],

@@ -112,7 +112,7 @@ class ThinAndFarMeshesTest {
                 .matches(PictureDifference::isWithinBound);
     }
 
-    /** A fan of triangles whose angles are below a fifth of a degree. */
+    /** A fan of triangles whose angles are below 0.2 degrees. */
     @ParameterizedTest
     @ValueSource(strings = {JvmEngines.SEQUENTIAL, VectorEngines.VECTOR})
     void needlesLookLikeTheSquareThatTheyFill(String engine) {

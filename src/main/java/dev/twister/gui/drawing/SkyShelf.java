@@ -79,7 +79,7 @@ public final class SkyShelf {
      *     canceled}
      */
     Skybox find(Path file, BooleanSupplier wanted) {
-        // A missing daylight sky is drawn sooner than a slider moves on, and to cancel it would show none of them.
+        // A daylight sky is there sooner than a slider moves on, and to cancel it would show none of them.
         return kept(file)
                 .orElseGet(() -> keep(
                         file,

@@ -24,11 +24,12 @@ import java.util.regex.Pattern;
  * @param clouds cloud cover, 0 to 1
  */
 public record DaylightFile(double height, double direction, double haze, double clouds) {
-    /** Before noon. */
-    public static final DaylightFile USUAL = new DaylightFile(42, -140, 3, 0);
+    /** What a name does not tell is as {@code twister sky} has it. */
+    private static final Daylight DAY = ShippedSky.DAY.daylight();
 
-    private static final double GROUND_ALBEDO = 0.3;
-    private static final double MEAN_RADIANCE = 0.8;
+    public static final DaylightFile USUAL =
+            new DaylightFile(DAY.sunElevationDegrees(), DAY.sunAzimuthDegrees(), DAY.turbidity(), DAY.cloudCover());
+
     private static final String NUMBER = "_(-?[0-9]{1,3}(?:\\.[0-9]{1,3})?)";
     private static final Pattern NAME = Pattern.compile("daylight" + NUMBER.repeat(4) + "\\.hdr");
 
@@ -78,7 +79,7 @@ public record DaylightFile(double height, double direction, double haze, double 
         return DaylightSky.panorama(
                 ShippedSky.WIDTH,
                 ShippedSky.HEIGHT,
-                new Daylight(height, direction, haze, clouds, GROUND_ALBEDO, MEAN_RADIANCE, false));
+                new Daylight(height, direction, haze, clouds, DAY.groundAlbedo(), DAY.meanSkyRadiance(), false));
     }
 
     /** The file's name. */

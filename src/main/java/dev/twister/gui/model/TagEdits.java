@@ -2,10 +2,9 @@ package dev.twister.gui.model;
 
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
-import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
-import dev.twister.scene.Sphere;
 import dev.twister.scene.Tag;
+import dev.twister.scene.VisibleBodies;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
@@ -49,11 +48,6 @@ public final class TagEdits {
         return edited.withLights(new Lights(lights));
     }
 
-    /** The scene without those bodies in pictures; a light stays if no other is visible. */
-    public static Scene hidden(Scene scene, Collection<Integer> bodies) {
-        return edited(scene, hideable(scene, bodies), tag -> tag.withHidden(true));
-    }
-
     /** Those of the bodies that can be hidden: not the last visible light. */
     public static List<Integer> hideable(Scene scene, Collection<Integer> bodies) {
         boolean lightStays = IntStream.range(0, scene.lights().count())
@@ -91,7 +85,8 @@ public final class TagEdits {
 
     /** A name that no group of the scene has yet. */
     public static String newGroup(Scene scene) {
-        Set<String> taken = tags(scene).map(Tag::group).collect(Collectors.toCollection(LinkedHashSet::new));
+        Set<String> taken =
+                VisibleBodies.tags(scene).map(Tag::group).collect(Collectors.toCollection(LinkedHashSet::new));
         return IntStream.iterate(1, number -> number + 1)
                 .mapToObj(number -> "Group " + number)
                 .filter(name -> !taken.contains(name))
@@ -103,7 +98,9 @@ public final class TagEdits {
     @SuppressWarnings("ReferenceEquality") // to compare all spheres takes longer
     public static boolean areSame(Scene one, Scene other) {
         return (one.bodies() == other.bodies() && one.lights() == other.lights())
-                || tags(one).toList().equals(tags(other).toList());
+                || VisibleBodies.tags(one)
+                        .toList()
+                        .equals(VisibleBodies.tags(other).toList());
     }
 
     /** Whether other bodies are hidden in one scene than in the other, which has as many. */
@@ -111,13 +108,5 @@ public final class TagEdits {
     public static boolean hideOthers(Scene one, Scene other) {
         return (one.bodies() != other.bodies() || one.lights() != other.lights())
                 && !having(one, Tag::hidden).equals(having(other, Tag::hidden));
-    }
-
-    private static Stream<Tag> tags(Scene scene) {
-        return Stream.of(
-                        scene.lights().list().stream().map(Light::tag),
-                        scene.spheres().stream().map(Sphere::tag),
-                        scene.meshes().stream().map(Mesh::tag))
-                .flatMap(tags -> tags);
     }
 }

@@ -20,7 +20,7 @@ class TagEditsTest {
         assertThat(TagEdits.hideable(SCENE, List.of(Layout.LIGHT, FIRST))).containsExactly(FIRST);
         Scene two = SCENE.withLights(new Lights(List.of(Light.DEFAULT, Light.DEFAULT)));
         assertThat(TagEdits.hideable(two, List.of(Layout.LIGHT))).containsExactly(Layout.LIGHT);
-        Scene one = TagEdits.hidden(two, List.of(Layout.LIGHT));
+        Scene one = TagEdits.edited(two, List.of(Layout.LIGHT), tag -> tag.withHidden(true));
         assertThat(TagEdits.hideable(one, List.of(BodyNumber.ofLight(1)))).isEmpty();
     }
 
