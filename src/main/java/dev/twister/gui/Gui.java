@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.engine.JvmEngines;
 import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.files.SystemFileChoice;
 import dev.twister.gui.model.AutosaveFolder;
@@ -71,7 +72,7 @@ public final class Gui {
             String id = engine.orElse(found.settings().get(WindowSettings.ENGINE));
             // Looking for engines takes TornadoVM a second: that is left to the thread that opens this one.
             EngineOffer offer = EngineOffer.working(id, "", "", () -> Engines.open(id));
-            Studio studio = Studio.start(first.opened(), offer);
+            Studio studio = Studio.start(first.opened(), offer, JvmEngines.parallel());
             MainWindow window = new MainWindow(
                     stage,
                     studio,

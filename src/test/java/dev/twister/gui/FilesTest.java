@@ -598,7 +598,6 @@ class FilesTest {
         driver.type(KeyCode.F12);
         driver.await(() -> Files.exists(hdr));
         assertThat(SkyboxReader.read(hdr).width()).isEqualTo(shown.frame().width());
-        driver.run(() -> driver.studio.refiningProperty().set(true));
     }
 
     @Test

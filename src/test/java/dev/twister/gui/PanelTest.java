@@ -75,6 +75,7 @@ class PanelTest {
     void startAnew() {
         driver.type(Command.RESET.keys());
         driver.clearNotice();
+        driver.run(() -> driver.studio.refiningProperty().set(false));
         driver.run(() -> driver.studio.selection().select(SPHERE));
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
@@ -390,6 +391,8 @@ class PanelTest {
         driver.awaitPicture(picture -> picture.engine().equals(chosen));
         driver.click(in(row("Engine"), ".reset", Button.class));
         driver.awaitPicture(picture -> picture.engine().equals(before));
+        // The list has the engine of that name that draws every pixel.
+        driver.run(() -> driver.studio.chooseEngine(BlockEngine.offer()));
     }
 
     @Test
@@ -485,6 +488,7 @@ class PanelTest {
 
     @Test
     void refiningIsSwitched() {
+        driver.run(() -> driver.studio.refiningProperty().set(true));
         driver.type(row("Refine at rest").keys());
         driver.type(KeyCode.SPACE);
         assertThat(WindowDriver.call(driver.studio.refiningProperty()::get)).isFalse();
@@ -714,6 +718,7 @@ class PanelTest {
         driver.type(row("Light x").keys());
         driver.type(KeyCode.RIGHT);
         Scene edited = scene();
+        driver.run(() -> driver.studio.refiningProperty().set(true));
         driver.type(row("Refine at rest").keys());
         driver.type(KeyCode.SPACE);
         driver.run(() -> driver.window.workbench().panel().setVvalue(1));

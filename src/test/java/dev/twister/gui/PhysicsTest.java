@@ -49,6 +49,7 @@ class PhysicsTest {
     void startAnew() {
         driver.type(Command.RESET.keys());
         driver.run(() -> {
+            driver.studio.refiningProperty().set(true);
             driver.studio.edit(
                     "one",
                     scene -> scene.withSpheres(List.of(high(scene.spheres().getFirst()))));

@@ -1,7 +1,6 @@
 package dev.twister.gui;
 
 import dev.twister.engine.EngineOffer;
-import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.model.AutosaveFolder;
@@ -91,7 +90,9 @@ public final class WindowDriver implements AutoCloseable {
         stage = new Stage();
         stage.setX(0);
         stage.setY(0);
-        studio = Studio.start(opened, engine);
+        studio = Studio.start(opened, engine, BlockEngine.offer());
+        // Both cores would draw beside each test.
+        studio.refiningProperty().set(false);
         window = new MainWindow(
                 stage,
                 studio,
@@ -114,7 +115,7 @@ public final class WindowDriver implements AutoCloseable {
 
     /** A small window that shows its first picture. */
     public static WindowDriver open() {
-        return open(WindowScenes.tiny(), JvmEngines.parallel());
+        return open(WindowScenes.tiny(), BlockEngine.offer());
     }
 
     static WindowDriver open(Scene scene, EngineOffer engine) {
@@ -129,7 +130,7 @@ public final class WindowDriver implements AutoCloseable {
     /** A window with a scene that has a file, and with unsaved edits kept there. */
     static WindowDriver open(OpenedScene opened, AutosaveFolder autosaves) {
         return open(() -> new WindowDriver(
-                opened, JvmEngines.parallel(), new SettingsStore(Optional.empty()), FOUND, autosaves, TextScale.USUAL));
+                opened, BlockEngine.offer(), new SettingsStore(Optional.empty()), FOUND, autosaves, TextScale.USUAL));
     }
 
     private static OpenedScene untitled(Scene scene) {
@@ -140,7 +141,7 @@ public final class WindowDriver implements AutoCloseable {
     static WindowDriver open(SettingsStore settings) {
         return open(() -> new WindowDriver(
                 untitled(WindowScenes.tiny()),
-                JvmEngines.parallel(),
+                BlockEngine.offer(),
                 settings,
                 settings.read(),
                 NO_AUTOSAVES,
@@ -165,7 +166,7 @@ public final class WindowDriver implements AutoCloseable {
 
     /** The same with text so much larger than usual. */
     static WindowDriver openWithPanel(double textScale) {
-        WindowDriver driver = open(WindowScenes.tiny(), JvmEngines.parallel(), textScale);
+        WindowDriver driver = open(WindowScenes.tiny(), BlockEngine.offer(), textScale);
         driver.run(() -> {
             driver.stage.setWidth(LARGE);
             driver.stage.setHeight(LARGE);
@@ -233,6 +234,7 @@ public final class WindowDriver implements AutoCloseable {
 
     /** Waits until the picture is as fine as it gets and is on the screen. */
     DrawnPicture awaitRest() {
+        run(() -> studio.refiningProperty().set(true));
         long asked = call(studio::lastRequest);
         DrawnPicture rest = awaitPicture(picture -> picture.isWhole()
                 && picture.request().number() >= asked

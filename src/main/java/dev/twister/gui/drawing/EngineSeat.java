@@ -43,13 +43,17 @@ final class EngineSeat implements AutoCloseable {
         this.whenReady = whenReady;
     }
 
-    /** Opens an engine if the choice is new; {@code warmUp} draws its first frames. */
+    /**
+     * Opens an engine if the choice is new; {@code warmUp} draws its first frames. Where the substitute draws and is
+     * chosen, it stays.
+     */
     void choose(EngineChoice wanted, WarmUp warmUp) {
         if (wanted.number() != choice) {
             choice = wanted.number();
             failure = Optional.empty();
             candidate.ifPresent(EngineSeat::dismiss);
-            candidate = Optional.of(open(wanted.offer(), warmUp));
+            boolean stays = substituted && wanted.offer().id().equals(substitute.id());
+            candidate = stays ? Optional.empty() : Optional.of(open(wanted.offer(), warmUp));
         }
     }
 

@@ -1,6 +1,6 @@
 package dev.twister.gui.studio;
 
-import dev.twister.engine.JvmEngines;
+import dev.twister.engine.EngineOffer;
 import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.MeshShelf;
 import dev.twister.gui.drawing.SkyShelf;
@@ -16,15 +16,21 @@ import java.util.Optional;
 
 /** The panoramas, textures and meshes of scenes, shared by all drawing threads. Any thread may read. */
 public final class SceneAssets {
+    private final EngineOffer substitute;
     private final SkyShelf skies = new SkyShelf();
     private final MeshShelf meshes = new MeshShelf(SceneMeshes.reader(skies::warn));
 
     /** Used only by JavaFX's thread. */
     private long meshesEdition;
 
+    /** @param substitute of drawing loops */
+    SceneAssets(EngineOffer substitute) {
+        this.substitute = substitute;
+    }
+
     /** A drawing loop, not started yet, that uses these files. */
     public DrawingLoop drawingLoop() {
-        return new DrawingLoop(skies, meshes, JvmEngines.parallel());
+        return new DrawingLoop(skies, meshes, substitute);
     }
 
     /**

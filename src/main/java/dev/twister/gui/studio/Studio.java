@@ -100,9 +100,10 @@ public final class Studio implements AutoCloseable {
      *
      * @param opened shown first
      * @param engine draws first
+     * @param substitute draws until the engine is ready, and if it fails; must open at once
      */
-    public static Studio start(OpenedScene opened, EngineOffer engine) {
-        Studio studio = new Studio(opened, engine, new SceneAssets());
+    public static Studio start(OpenedScene opened, EngineOffer engine, EngineOffer substitute) {
+        Studio studio = new Studio(opened, engine, new SceneAssets(substitute));
         studio.loop.start();
         return studio;
     }

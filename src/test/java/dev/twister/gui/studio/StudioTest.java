@@ -34,7 +34,7 @@ class StudioTest {
     private final Studio studio = start(scene);
 
     private static Studio start(Scene scene) {
-        return Studio.start(new OpenedScene(FILE, scene), JvmEngines.parallel());
+        return Studio.start(new OpenedScene(FILE, scene), JvmEngines.parallel(), JvmEngines.parallel());
     }
 
     @AfterEach

@@ -1,0 +1,88 @@
+package dev.twister.gui;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.JvmEngines;
+import dev.twister.engine.JvmKernel;
+import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
+import dev.twister.world.FrameInput;
+import java.util.stream.IntStream;
+
+/**
+ * Draws one pixel of each block of {@link #SIDE} x {@link #SIDE} as {@code parallel} does and gives the block its
+ * color. For tests that need a picture at once and do not read single pixels.
+ */
+final class BlockEngine implements Engine {
+    private static final int SIDE = 4;
+
+    private static final int CHANNELS = 3;
+
+    private final EngineOffer stood = JvmEngines.parallel();
+
+    /** It stands for {@code parallel} by its name. */
+    static EngineOffer offer() {
+        EngineOffer stood = JvmEngines.parallel();
+        return EngineOffer.working(stood.id(), stood.device(), stood.description(), BlockEngine::new);
+    }
+
+    @Override
+    public String id() {
+        return stood.id();
+    }
+
+    @Override
+    public String device() {
+        return stood.device();
+    }
+
+    @Override
+    public void render(FrameInput input, Frame frame) {
+        long start = System.nanoTime();
+        IntStream.range(0, Math.ceilDiv(frame.height(), SIDE))
+                .parallel()
+                .forEach(block -> drawBlocks(input, frame, SIDE * block));
+        frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start));
+    }
+
+    private static void drawBlocks(FrameInput input, Frame frame, int firstRow) {
+        JvmKernel kernel = new JvmKernel();
+        int width = frame.width();
+        int endRow = Math.min(firstRow + SIDE, frame.height());
+        for (int column = 0; column < width; column += SIDE) {
+            kernel.drawRow(input, frame, firstRow, column, column + 1);
+            int drawn = width * firstRow + column;
+            int endColumn = Math.min(column + SIDE, width);
+            for (int row = firstRow; row < endRow; row++) {
+                for (int pixel = width * row + column; pixel < width * row + endColumn; pixel++) {
+                    copy(frame, drawn, pixel);
+                }
+            }
+        }
+    }
+
+    private static void copy(Frame frame, int from, int to) {
+        if (frame.isLinear()) {
+            copy(frame.radiance(), 0, from, to);
+        } else {
+            frame.argb()[to] = frame.argb()[from];
+        }
+        for (int layer = 0; layer < frame.layerCount(); layer++) {
+            copy(frame.layers(), frame.firstOf(layer), from, to);
+        }
+    }
+
+    private static void copy(float[] values, int first, int from, int to) {
+        System.arraycopy(values, first + CHANNELS * from, values, first + CHANNELS * to, CHANNELS);
+    }
+
+    @Override
+    public boolean drawsBandsInProportion() {
+        return true;
+    }
+
+    @Override
+    public void close() {
+        // It holds nothing between frames.
+    }
+}
