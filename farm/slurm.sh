@@ -11,7 +11,7 @@
 # A task that is requeued, or submitted again, renders what is missing.
 set -euo pipefail
 if [ $# -lt 5 ]; then
-    echo "usage: sbatch --array=0-TASKS farm/slurm.sh SCENE MOTION FOLDER FIRST LAST [RENDER OPTIONS]" >&2
+    echo "usage: sbatch --array=1-TASKS farm/slurm.sh SCENE MOTION FOLDER FIRST LAST [RENDER OPTIONS]" >&2
     exit 2
 fi
 scene=$1 motion=$2 folder=$3 first=$4 last=$5

@@ -99,10 +99,8 @@ powershell -NoProfile -Command "$built = (Get-Item -LiteralPath $env:stamp).Last
 exit /b
 
 :build
->&2 echo building Twister...
-rem Classes of TornadoVM's engine, from when they were built here, would be found without an SDK.
-if exist "%target%\classes" rmdir /s /q "%target%\classes"
-if exist "%target%\maven-status" rmdir /s /q "%target%\maven-status"
+>&2 echo building Twister: compiling takes about half a minute, after downloads at the first build...
+if exist "%target%\program" rmdir /s /q "%target%\program"
 if not exist "%target%" mkdir "%target%"
 rem What is there afterwards is new.
 if exist "%jar%" del "%jar%"
@@ -115,7 +113,7 @@ set "message=the build failed; its messages are above"
 setlocal
 set "JAVA_HOME=%jdk%"
 pushd "%TWISTER_HOME%"
-call mvnw.cmd -q "-P-tornadovm-home,-tornadovm-sdkman" -DskipTests package 1>&2
+call mvnw.cmd -q "-P-tornadovm-home,-tornadovm-sdkman" -Pprogram package 1>&2
 set "maven_code=%ERRORLEVEL%"
 popd
 endlocal& set "maven_code=%maven_code%"

@@ -14,11 +14,8 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;
-import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Track;
-import dev.twister.scene.Triangles;
-import dev.twister.scene.format.SceneWriter;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
 import dev.twister.world.SceneImages;
@@ -128,17 +125,9 @@ public final class SceneBuilder {
      */
     public World world() {
         Scene whole = scene();
-        SceneWriter.check(
-                whole.withMeshes(meshes.stream().map(SceneBuilder::inFile).toList()));
+        SceneCheck.check(whole);
         SceneMeshes read = SceneMeshes.read(whole, _ -> {});
         return World.of(whole, SceneImages.read(whole, sky, read, _ -> {}), read);
-    }
-
-    /** No file can have triangles of code, so that a shape stands for them where values are checked. */
-    private static Mesh inFile(Mesh mesh) {
-        return mesh.geometry() instanceof Triangles
-                ? mesh.withGeometry(Shape.of(Shape.Kind.BOX, 1)).withSmoothDegrees(0)
-                : mesh;
     }
 
     private static Skybox uniform(Rgb color) {

@@ -1,5 +1,7 @@
 package dev.twister;
 
+import static java.util.Objects.requireNonNull;
+
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.Engines;
@@ -24,6 +26,7 @@ public final class Twister {
     /**
      * Renders a scene that was read from a file, on all threads of the JVM.
      *
+     * @throws SceneException where a value is out of range
      * @throws SkyException where the sky or a texture cannot be read
      * @throws MeshException where a mesh cannot be read
      */
@@ -35,12 +38,14 @@ public final class Twister {
      * Renders a scene that was read from a file.
      *
      * @param engine {@code sequential}, {@code parallel}, {@code vector}, {@code tornado} or one of its devices
+     * @throws SceneException where a value is out of range
      * @throws SkyException where the sky or a texture cannot be read
      * @throws MeshException where a mesh cannot be read
      * @throws UnknownEngineException where no engine has that name
      * @throws EngineException where the engine does not work here, or fails
      */
     public static RenderedPicture render(Scene scene, String engine) {
+        SceneCheck.check(requireNonNull(scene, "scene"));
         Scene visible = VisibleBodies.of(scene);
         SceneMeshes meshes = SceneMeshes.read(visible, _ -> {});
         return render(World.of(visible, SceneImages.read(visible, meshes, _ -> {}), meshes), engine);
@@ -68,7 +73,7 @@ public final class Twister {
      * @throws EngineException where the engine does not work here, or fails
      */
     public static RenderedPicture render(SceneBuilder scene, String engine) {
-        return render(scene.world(), engine);
+        return render(requireNonNull(scene, "scene").world(), engine);
     }
 
     /**
@@ -79,7 +84,7 @@ public final class Twister {
      * @throws EngineException where the engine does not work here, or fails
      */
     public static RenderedPicture render(World world, String engine) {
-        FrameInput input = world.snapshot();
+        FrameInput input = requireNonNull(world, "world").snapshot();
         Frame frame = Frame.ofPixels(input.width(), input.height());
         try (Engine opened = Engines.open(engine)) {
             opened.render(input, frame);

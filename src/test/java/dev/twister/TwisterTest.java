@@ -45,6 +45,22 @@ class TwisterTest {
     }
 
     @Test
+    void changedSceneOfFileIsRefusedByTheValue() {
+        Scene scene = SceneReader.read(Path.of("scenes", "mirrors.json")).withRendering(SMALL.withWidth(-1));
+        assertThatThrownBy(() -> Twister.render(scene))
+                .isInstanceOf(SceneException.class)
+                .hasMessageContaining("width is -1");
+    }
+
+    @Test
+    void missingSceneIsNamed() {
+        Scene scene = null;
+        assertThatThrownBy(() -> Twister.render(scene))
+                .isInstanceOf(NullPointerException.class)
+                .hasMessage("scene");
+    }
+
+    @Test
     void sceneInCodeNeedsNoSkyFile() {
         RenderedPicture picture = Twister.render(new SceneBuilder()
                 .camera(Camera.of(new Vector3(0, 2, 0), 0, -60, 40))
