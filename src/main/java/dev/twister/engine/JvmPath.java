@@ -108,7 +108,6 @@ public final class JvmPath {
                 frame.argb(),
                 frame.radiance(),
                 frame.layers(),
-                0,
                 path,
                 scratch,
                 input.view().frame(),
