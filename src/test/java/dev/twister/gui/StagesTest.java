@@ -3,7 +3,6 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.Engine;
-import dev.twister.engine.JvmEngines;
 import dev.twister.engine.NumberColors;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.image.Frame;
@@ -39,7 +38,7 @@ class StagesTest {
             DrawnPicture rest = driver.awaitRest();
 
             Frame numbers = Frame.ofRadiance(rest.frame().width(), rest.frame().height());
-            try (Engine engine = JvmEngines.parallel().opener().get()) {
+            try (Engine engine = BlockEngine.offer().opener().get()) {
                 engine.render(rest.input(), numbers);
             }
             assertThat(rest.samples()).isEqualTo(1);

@@ -206,12 +206,12 @@ final class PictureWork implements AutoCloseable {
     private boolean draw(DrawingRequest wanted, Engine engine) {
         // While another engine is being opened, repeating a picture is not worth the processor's time.
         boolean opening = seat.opening().isPresent();
+        if (isPreview(wanted) && drawQuickly(wanted, engine)) {
+            return true;
+        }
         if (coarseness > 1 && seat.isSubstituted()) {
             drawPlain(wanted, engine, coarse(coarseness), false);
             coarseness /= 2;
-            return true;
-        }
-        if (isPreview(wanted) && drawQuickly(wanted, engine)) {
             return true;
         }
         if (!drawn && !quick && drawQuickly(wanted, engine)) {
