@@ -2,10 +2,13 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.sun.javafx.tk.Toolkit;
+import com.sun.scenario.animation.AbstractPrimaryTimer;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.panel.Panel;
 import dev.twister.scene.Rendering;
+import java.lang.reflect.Field;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
 import javafx.geometry.Bounds;
@@ -28,6 +31,32 @@ class MainWindowTest {
             driver.type(Command.PANEL.keys());
             assertThat(WindowDriver.call(driver.stage::getMinWidth)).isLessThan(WindowDriver.WIDTH + 1);
         }
+    }
+
+    @Test
+    void atRestNoAnimationAsksForPulses() {
+        try (WindowDriver driver = WindowDriver.openWithPanel()) {
+            // The panel's numbers and their fields change.
+            expose(driver, 1);
+            driver.awaitRest();
+            driver.await(() -> runningAnimations() == 0);
+        }
+    }
+
+    /** JavaFX has no public way to ask. */
+    private static int runningAnimations() {
+        try {
+            AbstractPrimaryTimer timer = Toolkit.getToolkit().getPrimaryTimer();
+            return count(timer, "receiversLength") + count(timer, "animationTimersLength");
+        } catch (ReflectiveOperationException problem) {
+            throw new AssertionError(problem);
+        }
+    }
+
+    private static int count(AbstractPrimaryTimer timer, String name) throws ReflectiveOperationException {
+        Field field = AbstractPrimaryTimer.class.getDeclaredField(name);
+        field.setAccessible(true);
+        return field.getInt(timer);
     }
 
     @Test

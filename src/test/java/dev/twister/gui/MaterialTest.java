@@ -6,6 +6,7 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.MaterialPreset;
+import dev.twister.gui.model.TagEdits;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.image.PngWriter;
@@ -154,6 +155,14 @@ class MaterialTest {
         assertThat(now().materials()).containsEntry("steel", STEEL.withRoughness(0.5));
         driver.run(driver.studio::undo);
         assertThat(now()).isEqualTo(scene().withCamera(now().camera()));
+    }
+
+    @Test
+    void theHintFollowsTheBodysName() {
+        select(FIRST);
+        driver.run(() -> driver.studio.edit(
+                "name", scene -> TagEdits.edited(scene, List.of(FIRST), tag -> tag.withName("Ball"))));
+        assertThat(driver.text("material-hint")).startsWith("Ball has the material");
     }
 
     @Test

@@ -9,6 +9,7 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumbers;
 import dev.twister.gui.model.CameraNumbers;
+import dev.twister.gui.model.DaylightFile;
 import dev.twister.gui.model.LightNumbers;
 import dev.twister.gui.model.MaterialNumbers;
 import dev.twister.gui.model.NumberProperty;
@@ -598,6 +599,18 @@ class PanelTest {
                 .sky()
                 .file()
                 .equals(driver.studio.document().original().sky().file()));
+    }
+
+    @Test
+    void aDaylightNumberIsNotResetWhereTheSkyIsOfAnotherKind() {
+        Scene day = WindowDriver.call(driver.studio::scene);
+        Scene evening = new DaylightFile(8, -60, 3, 0).in(day);
+        driver.run(() -> {
+            driver.studio.show(new OpenedScene(Path.of("test.json"), evening));
+            driver.studio.edit("sky", scene -> scene.withSky(day.sky()));
+        });
+        assertThat(in(row("Sun height"), ".reset", Button.class).isDisabled()).isTrue();
+        driver.run(() -> driver.studio.show(new OpenedScene(Path.of("test.json"), day)));
     }
 
     @Test

@@ -27,6 +27,7 @@ public final class NumberField extends TextField {
         this.allowed = allowed;
         this.whole = whole;
         setId("render-" + Ids.of(label));
+        StillCaret.install(this);
         setPrefColumnCount(COLUMNS);
         setMinWidth(USE_PREF_SIZE);
         setMaxWidth(USE_PREF_SIZE);

@@ -108,7 +108,7 @@ final class MaterialRows {
 
     /** Text that names the material and the bodies that share it. */
     String hint() {
-        return (body == BodyNumber.PLANE ? "The plane" : BodyChoices.title(before, body))
+        return (body == BodyNumber.PLANE ? "The plane" : BodyChoices.title(studio.scene(), body))
                 + shared.map(named -> " has the material \"" + named.name() + "\", "
                                 + (named.bodies().size() == 1
                                         ? "alone."

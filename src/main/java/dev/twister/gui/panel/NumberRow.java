@@ -1,6 +1,7 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Command;
+import dev.twister.gui.controls.StillCaret;
 import dev.twister.gui.model.NumberProperty;
 import dev.twister.gui.model.NumberScale;
 import dev.twister.gui.studio.Studio;
@@ -97,6 +98,7 @@ public final class NumberRow extends PanelRow {
             drag = Optional.empty();
             studio.endGesture();
         });
+        StillCaret.install(field);
         field.setOnAction(_ -> takeTyped());
         field.focusedProperty().subscribe((_, focused) -> {
             if (!focused) {

@@ -2,10 +2,12 @@ package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.AssetActions;
+import dev.twister.gui.model.DaylightFile;
 import dev.twister.gui.model.DaylightNumbers;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Scene;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -17,6 +19,7 @@ final class SkySection {
     private final Studio studio;
     private final ChoiceRow<Path> sky;
     private final List<NumberRow> numbers;
+    private final List<NumberRow> daylight;
     private final Button other = new Button("Other…");
     private List<Path> known = List.of();
 
@@ -33,10 +36,8 @@ final class SkySection {
         other.setTooltip(Tooltips.of("Chooses a panorama's file: .hdr, .png or .jpg."));
         other.setOnAction(_ -> assets.chooseSky());
         sky.addControl(other);
-        numbers = NumberRow.of(
-                Stream.concat(SceneNumbers.SKY.stream(), DaylightNumbers.ALL.stream())
-                        .toList(),
-                studio);
+        numbers = NumberRow.of(SceneNumbers.SKY, studio);
+        daylight = NumberRow.of(DaylightNumbers.ALL, studio);
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.document().originalProperty().subscribe(_ -> refresh());
     }
@@ -48,13 +49,19 @@ final class SkySection {
     }
 
     List<PanelRow> rows() {
-        return Stream.concat(Stream.of(sky), numbers.stream()).toList();
+        return Stream.of(List.of(sky), numbers, daylight)
+                .<PanelRow>flatMap(List::stream)
+                .toList();
     }
 
     private void refresh() {
         Path used = studio.scene().sky().file();
         Path own = studio.document().original().sky().file();
         sky.show(SkyList.with(known, own, used), used, own);
-        numbers.forEach(row -> row.show(studio.scene(), studio.document().original()));
+        Scene usual = studio.document().original();
+        numbers.forEach(row -> row.show(studio.scene(), usual));
+        // A reset of these must not replace a sky of another kind.
+        boolean replaced = DaylightFile.of(used).isEmpty();
+        daylight.forEach(row -> row.show(studio.scene(), replaced ? studio.scene() : usual));
     }
 }
