@@ -17,7 +17,8 @@ record EngineWarmUp(double maxSeconds, BenchmarkProgress progress) {
     private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
 
     /**
-     * Renders small frames of each input until their times settle. Skipped for devices, which compile for each size.
+     * Renders small frames of each input until their times settle. Skipped for devices, which reach their speed with
+     * their first frame.
      */
     void run(AskedEngine asked, PictureSize size, List<FrameInput> inputs) {
         if (!asked.isDevice()) {

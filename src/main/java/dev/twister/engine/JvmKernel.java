@@ -36,16 +36,7 @@ public final class JvmKernel {
                     input.images(),
                     variant);
             PixelKernel.store(
-                    column,
-                    row,
-                    frame.argb(),
-                    frame.radiance(),
-                    frame.layers(),
-                    0,
-                    path,
-                    scratch,
-                    view.frame(),
-                    variant);
+                    column, row, frame.argb(), frame.radiance(), frame.layers(), path, scratch, view.frame(), variant);
         }
     }
 

@@ -60,7 +60,6 @@ public final class PixelKernel {
      * @param pixels {@code int[width * rows]} if the output is ARGB, else any array
      * @param radiance {@code float[3 * width * rows]} if the output is linear, else any array
      * @param layers planes of {@code 3 * width * rows} floats for further layers if there are any, else any array
-     * @param firstLayer place of the first plane
      * @param path after {@link #draw}
      * @param scratch after {@link #draw}
      */
@@ -70,25 +69,39 @@ public final class PixelKernel {
             int[] pixels,
             float[] radiance,
             float[] layers,
-            int firstLayer,
             float[] path,
             float[] scratch,
             float[] frame,
             int variant) {
-        int samples = (int) frame[Layout.PIXEL_SAMPLES];
         int pixel = row * (int) frame[Layout.WIDTH] + column;
-        float average = 1f / samples;
         if ((variant & Variant.LINEAR) != 0) {
+            float average = average(frame);
             radiance[3 * pixel] = path[Layout.RADIANCE] * average;
             radiance[3 * pixel + 1] = path[Layout.RADIANCE + 1] * average;
             radiance[3 * pixel + 2] = path[Layout.RADIANCE + 2] * average;
-            int plane = 3 * (int) frame[Layout.WIDTH] * (int) frame[Layout.ROWS];
-            int first = firstLayer + 3 * pixel;
-            Guides.store(layers, first, plane, path, average, variant);
-            LightLayers.store(layers, first + Guides.LAYERS * plane, plane, scratch, average, frame, variant);
+            storeLayers(pixel, layers, path, scratch, frame, variant);
         } else {
-            pixels[pixel] = Tone.argb(path, average, frame);
+            pixels[pixel] = argb(path, frame);
         }
+    }
+
+    /** The 8-bit value of a pixel, after {@link #draw}. */
+    public static int argb(float[] path, float[] frame) {
+        return Tone.argb(path, average(frame), frame);
+    }
+
+    /** Factor of the sums in {@code path} for the mean of a pixel's samples. */
+    public static float average(float[] frame) {
+        return 1f / (int) frame[Layout.PIXEL_SAMPLES];
+    }
+
+    /** Stores a pixel's layers, as {@link #store} does. */
+    public static void storeLayers(
+            int pixel, float[] layers, float[] path, float[] scratch, float[] frame, int variant) {
+        int plane = 3 * (int) frame[Layout.WIDTH] * (int) frame[Layout.ROWS];
+        float average = average(frame);
+        Guides.store(layers, 3 * pixel, plane, path, average, variant);
+        LightLayers.store(layers, 3 * pixel + Guides.LAYERS * plane, plane, scratch, average, frame, variant);
     }
 
     /** Starts a sample's view ray. */

@@ -34,8 +34,11 @@ record WarmUp(FrameInput whole, FrameInput small, LongSupplier clock) {
      */
     void run(Engine engine, BooleanSupplier unwanted) {
         if (Engines.isDevice(engine.id())) {
-            // TornadoVM compiles for each size and kind of picture.
+            // TornadoVM compiles a kernel for pixels, and another for the radiance of a picture at rest.
             engine.render(whole, Frame.ofPixels(whole.width(), whole.rows()));
+            if (!unwanted.getAsBoolean()) {
+                engine.render(small, Frame.ofRadiance(small.width(), small.rows()));
+            }
         } else {
             runOnJvm(engine, unwanted);
         }

@@ -109,8 +109,14 @@ class WarmUpTest {
     }
 
     @Test
-    void drawsThePictureItselfOnADevice() {
+    void drawsThePictureItselfAndRadianceOnADevice() {
         ofMany().run(new Noted("tornado:0:0", false), () -> false);
+        assertThat(rows).containsExactly(8 * SMALL_ROWS, SMALL_ROWS);
+    }
+
+    @Test
+    void drawsNoRadianceOnADeviceThatIsNotWanted() {
+        ofMany().run(new Noted("tornado:0:0", false), () -> true);
         assertThat(rows).containsExactly(8 * SMALL_ROWS);
     }
 }

@@ -6,29 +6,26 @@ import dev.twister.image.FrameTimes;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
-import java.util.Arrays;
 import uk.ac.manchester.tornado.api.GridScheduler;
 import uk.ac.manchester.tornado.api.TaskGraph;
 import uk.ac.manchester.tornado.api.TornadoExecutionPlan;
 import uk.ac.manchester.tornado.api.TornadoExecutionResult;
 import uk.ac.manchester.tornado.api.TornadoProfilerResult;
-import uk.ac.manchester.tornado.api.WorkerGrid;
 import uk.ac.manchester.tornado.api.WorkerGrid2D;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.enums.DataTransferMode;
 import uk.ac.manchester.tornado.api.enums.ProfilerMode;
-import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 import uk.ac.manchester.tornado.api.enums.TornadoVMBackendType;
 
 /**
- * The kernel compiled for one device and one picture size, with its device buffers. The images and the meshes are
- * copied once, and so are the looks of scenes with many bodies. Frame, bodies and the looks of few bodies are copied
- * each frame. Only pixels are copied back.
+ * The kernel compiled for one device and one variant, with its device buffers, which have room for other sizes of
+ * pictures and other numbers of bodies. The images and the meshes are copied once, and so are the looks of scenes with
+ * many bodies. Frame, bodies and the looks of few bodies are copied each frame. Only the frame's pixels are copied
+ * back.
  */
 final class DevicePlan implements AutoCloseable {
     private static final String GRAPH = "twister";
     private static final String TASK = "draw";
-    private static final int NOT_DRAWN = 0;
 
     /**
      * Up to this number of bodies their looks are copied each frame, which is cheaper than a new plan when a color
@@ -42,13 +39,11 @@ final class DevicePlan implements AutoCloseable {
             + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL
             + Layout.MOST_TILES;
 
-    private static final int[] NO_PIXELS = new int[1];
-    private static final float[] NO_RADIANCE = new float[1];
-
     private final FrameInput fixed;
     private final boolean linear;
-    private final int[] pixels;
-    private final float[] radiance;
+    private final WorkGroups groups;
+    private final WorkerGrid2D grid;
+    private final DeviceOutput output;
     private final float[] view = new float[LONGEST_FRAME];
     private final float[] bodies;
     private final float[] looks;
@@ -59,66 +54,73 @@ final class DevicePlan implements AutoCloseable {
     /** Bytes copied to and from the device for one frame. */
     record Copied(long bytesIn, long bytesOut) {}
 
-    DevicePlan(TornadoDevice device, FrameInput input, boolean linear, DrawTask kernel) {
+    /**
+     * Makes the plan; the kernel is compiled with the first frame.
+     *
+     * @param groups of the device, shared by its plans
+     */
+    DevicePlan(TornadoDevice device, FrameInput input, boolean linear, DrawTask kernel, WorkGroups groups) {
         fixed = input;
         this.linear = linear;
-        int count = Math.multiplyExact(input.width(), input.rows());
-        pixels = linear ? NO_PIXELS.clone() : new int[count];
-        radiance = linear ? new float[Math.multiplyExact(3 * (1 + input.layers()), count)] : NO_RADIANCE.clone();
-        if (linear) {
-            Arrays.fill(radiance, Float.NaN);
-        }
-        bodies = input.bodies().floats().clone();
-        looks = input.bodies().looks().clone();
+        this.groups = groups;
+        output = new DeviceOutput(input, linear);
+        bodies = new float[Room.ofFloats(input.bodies().floats().length)];
+        looks = sendsLooks(input)
+                ? new float[Room.ofFloats(input.bodies().looks().length)]
+                : input.bodies().looks();
         float[] meshes = input.bodies().meshes();
         float[] images = input.images();
         TaskGraph graph = new TaskGraph(GRAPH)
-                .transferToDevice(DataTransferMode.FIRST_EXECUTION, pixels, radiance, images, meshes)
                 .transferToDevice(
-                        sendsLooks() ? DataTransferMode.EVERY_EXECUTION : DataTransferMode.FIRST_EXECUTION, looks)
+                        DataTransferMode.FIRST_EXECUTION,
+                        output.pixels(),
+                        output.radiance(),
+                        output.layers(),
+                        images,
+                        meshes)
+                .transferToDevice(
+                        sendsLooks(input) ? DataTransferMode.EVERY_EXECUTION : DataTransferMode.FIRST_EXECUTION, looks)
                 .transferToDevice(DataTransferMode.EVERY_EXECUTION, view, bodies)
                 .task(
                         TASK,
                         kernel,
-                        pixels,
-                        radiance,
+                        output.pixels(),
+                        output.radiance(),
+                        output.layers(),
                         view,
                         bodies,
                         looks,
                         meshes,
                         images,
-                        input.width(),
-                        input.rows(),
                         input.variant(linear))
-                .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
+                .transferToHost(DataTransferMode.UNDER_DEMAND, output.picture());
+        if (input.layers() > 0) {
+            graph.transferToHost(DataTransferMode.EVERY_EXECUTION, output.layers());
+        }
+        grid = new WorkerGrid2D(input.width(), input.rows());
         plan = new TornadoExecutionPlan(graph.snapshot());
         plan.withDevice(device)
                 .withProfiler(ProfilerMode.SILENT)
                 .withCompilerFlags(TornadoVMBackendType.OPENCL, OpenClFlags.forPlatform(device.getPlatformName()));
-        if (device.getDeviceType() != TornadoDeviceType.CPU) {
-            // TornadoVM's default work-group may exceed a GPU's registers; the driver's default fits.
-            WorkerGrid grid = new WorkerGrid2D(input.width(), input.rows());
-            plan.withGridScheduler(new GridScheduler(GRAPH + "." + TASK, grid));
-        }
+        plan.withGridScheduler(new GridScheduler(GRAPH + "." + TASK, grid));
     }
 
-    /** Whether the compiled kernel and the data on the device are valid for this frame. */
+    /** Whether the compiled kernel and the data on the device are valid for this frame, and the buffers have room. */
     @SuppressWarnings("ReferenceEquality") // a snapshot's arrays are immutable; a change replaces the array
     boolean fits(FrameInput input, Frame frame) {
-        return input.width() == fixed.width()
-                && input.rows() == fixed.rows()
-                && frame.isLinear() == linear
-                && input.bodies().room() == fixed.bodies().room()
-                && input.bodies().floats().length == fixed.bodies().floats().length
-                && input.bodies().looks().length == fixed.bodies().looks().length
+        return output.fits(input, frame)
+                && Room.fits(bodies.length, input.bodies().floats().length)
+                && sendsLooks(input) == sendsLooks(fixed)
+                && (sendsLooks(input)
+                        ? Room.fits(looks.length, input.bodies().looks().length)
+                        : input.bodies().looks() == looks)
                 && input.bodies().meshes() == fixed.bodies().meshes()
                 && input.variant(linear) == fixed.variant(linear)
-                && input.images() == fixed.images()
-                && (sendsLooks() || input.bodies().looks() == fixed.bodies().looks());
+                && input.images() == fixed.images();
     }
 
-    private boolean sendsLooks() {
-        return fixed.bodies().room() <= FEW_BODIES;
+    private static boolean sendsLooks(FrameInput input) {
+        return input.bodies().room() <= FEW_BODIES;
     }
 
     /**
@@ -130,48 +132,26 @@ final class DevicePlan implements AutoCloseable {
         long start = System.nanoTime();
         put(input.view().frame(), view);
         put(input.bodies().floats(), bodies);
-        if (sendsLooks()) {
+        if (sendsLooks(input)) {
             put(input.bodies().looks(), looks);
         }
+        WorkGroups.cover(grid, groups.next(), input.width(), input.rows());
         TornadoExecutionResult result = plan.execute();
+        // Reading the picture clears what TornadoVM has measured until then.
         TornadoProfilerResult profile = result.getProfilerResult();
-        lastCopied = new Copied(profile.getTotalBytesCopyIn(), profile.getTotalBytesCopyOut());
-        requireKernelRan(profile);
-        if (linear) {
-            int plane = frame.radiance().length;
-            System.arraycopy(radiance, 0, frame.radiance(), 0, plane);
-            System.arraycopy(radiance, plane, frame.layers(), 0, frame.layers().length);
-        } else {
-            System.arraycopy(pixels, 0, frame.argb(), 0, pixels.length);
+        long kernelNanos = profile.getDeviceKernelTime();
+        long inNanos = profile.getDeviceWriteTime();
+        lastCopied = new Copied(profile.getTotalBytesCopyIn(), DeviceOutput.bytes(input, linear));
+        if (kernelNanos <= 0) {
+            throw new EngineException("the device ran no kernel: TornadoVM reports " + kernelNanos + " ns");
         }
-        return new FrameTimes(
-                System.nanoTime() - start,
-                profile.getDeviceKernelTime(),
-                profile.getDeviceWriteTime(),
-                profile.getDeviceReadTime());
-    }
-
-    /**
-     * TornadoVM and drivers can fail without an exception: no kernel time, nothing read back, or pixels left unchanged.
-     * The last is checked in a plan's first frame, whose buffers start with marker values.
-     */
-    private void requireKernelRan(TornadoProfilerResult profile) {
-        if (profile.getDeviceKernelTime() <= 0 || profile.getTotalBytesCopyOut() <= 0) {
-            throw new EngineException("the device ran no kernel: TornadoVM reports " + profile.getDeviceKernelTime()
-                    + " ns of kernel time and " + profile.getTotalBytesCopyOut() + " bytes read back");
-        }
+        long outNanos = output.read(result, input, frame);
         if (!proven) {
-            for (int pixel : pixels) {
-                if (pixel == NOT_DRAWN && !linear) {
-                    throw new EngineException("the device left pixels undrawn; its driver may have refused the grid of "
-                            + fixed.width() + " x " + fixed.rows());
-                }
-            }
-            if (linear && Float.isNaN(radiance[0]) && Float.isNaN(radiance[radiance.length - 1])) {
-                throw new EngineException("the device left the picture undrawn");
-            }
+            output.requireDrawn(input);
             proven = true;
         }
+        groups.measured(kernelNanos, (long) input.width() * input.rows());
+        return new FrameTimes(System.nanoTime() - start, kernelNanos, inNanos, outNanos);
     }
 
     private static void put(float[] from, float[] to) {

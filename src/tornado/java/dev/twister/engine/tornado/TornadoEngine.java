@@ -10,7 +10,9 @@ import java.util.Map;
 import java.util.Optional;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 
-/** Renders on a TornadoVM device. The first frame of each size takes seconds, because TornadoVM compiles the kernel. */
+/**
+ * Renders on a TornadoVM device. The first frame of each variant takes seconds, because TornadoVM compiles the kernel.
+ */
 final class TornadoEngine implements Engine {
     /** Loaded once, because TornadoVM caches data about methods until the JVM exits. */
     private static final DrawTask KERNEL = DeviceClassLoader.load(TornadoKernel.class, DrawTask.class);
@@ -19,6 +21,7 @@ final class TornadoEngine implements Engine {
     private final String name;
     private final TornadoDevice device;
     private final DrawTask kernel;
+    private final WorkGroups groups;
     private final Map<Boolean, DevicePlan> planByLinear = new HashMap<>();
     private Optional<DevicePlan> last = Optional.empty();
 
@@ -31,6 +34,7 @@ final class TornadoEngine implements Engine {
         this.name = name;
         this.device = device;
         this.kernel = kernel;
+        groups = new WorkGroups(device.getDeviceType());
     }
 
     @Override
@@ -72,7 +76,7 @@ final class TornadoEngine implements Engine {
         if (known != null) {
             planByLinear.remove(linear).close();
         }
-        DevicePlan fresh = new DevicePlan(device, input, linear, kernel);
+        DevicePlan fresh = new DevicePlan(device, input, linear, kernel, groups);
         planByLinear.put(linear, fresh);
         return fresh;
     }

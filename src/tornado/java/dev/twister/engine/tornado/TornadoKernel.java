@@ -6,6 +6,8 @@ import dev.twister.kernel.PixelKernel;
 import dev.twister.kernel.Variant;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
+import uk.ac.manchester.tornado.api.types.arrays.FloatArray;
+import uk.ac.manchester.tornado.api.types.arrays.IntArray;
 
 /** The code that TornadoVM compiles; public for {@link DeviceClassLoader}. */
 public final class TornadoKernel implements Supplier<DrawTask> {
@@ -18,25 +20,27 @@ public final class TornadoKernel implements Supplier<DrawTask> {
     }
 
     /**
-     * Renders all pixels of a band, one work-item per pixel. Scalars are compiled in as constants. Data that changes
-     * between frames is in the arrays, which are those of {@link dev.twister.world.FrameInput}.
+     * Renders all pixels of a band, one work-item per pixel. The variant is compiled in as a constant. All else is in
+     * the arrays, which are those of {@link dev.twister.world.FrameInput}, so that other sizes and numbers of bodies
+     * need no other code.
      *
-     * @param pixels {@code int[width * rows]} if the output is ARGB, else one int
-     * @param radiance {@code float[3 * width * rows]} if the output is linear, and as many for each further layer; else
-     *     one float
+     * @param pixels at least {@code width * rows} ints if the output is ARGB, else one
+     * @param radiance at least {@code 3 * width * rows} floats if the output is linear, else one
+     * @param layers at least {@code 3 * width * rows} floats for each further layer
      * @param variant bits of {@link Variant}
      */
     static void draw(
-            int[] pixels,
-            float[] radiance,
+            IntArray pixels,
+            FloatArray radiance,
+            float[] layers,
             float[] frame,
             float[] bodies,
             float[] looks,
             float[] meshes,
             float[] images,
-            int width,
-            int rows,
             int variant) {
+        int width = (int) frame[Layout.WIDTH];
+        int rows = (int) frame[Layout.ROWS];
         for (@Parallel int row = 0; row < rows; row++) {
             for (@Parallel int column = 0; column < width; column++) {
                 int isPlain = (variant & (Variant.MATERIALS | Variant.MESHES)) == 0 ? 1 : 0;
@@ -51,8 +55,16 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                 int usualScratch = isPlain != 0 ? plainScratch : Layout.SCRATCH_LENGTH;
                 float[] scratch = new float[layered != 0 ? Layout.LAYERED_SCRATCH_LENGTH : usualScratch];
                 PixelKernel.draw(column, row, path, scratch, frame, bodies, looks, meshes, images, variant);
-                PixelKernel.store(
-                        column, row, pixels, radiance, radiance, 3 * width * rows, path, scratch, frame, variant);
+                int pixel = row * width + column;
+                if ((variant & Variant.LINEAR) != 0) {
+                    float average = PixelKernel.average(frame);
+                    radiance.set(3 * pixel, path[Layout.RADIANCE] * average);
+                    radiance.set(3 * pixel + 1, path[Layout.RADIANCE + 1] * average);
+                    radiance.set(3 * pixel + 2, path[Layout.RADIANCE + 2] * average);
+                    PixelKernel.storeLayers(pixel, layers, path, scratch, frame, variant);
+                } else {
+                    pixels.set(pixel, PixelKernel.argb(path, frame));
+                }
             }
         }
     }
