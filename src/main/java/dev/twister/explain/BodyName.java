@@ -11,7 +11,7 @@ import java.util.stream.Stream;
  * @param kind {@code light}, {@code plane}, {@code sphere}, {@code poured sphere} or {@code mesh}
  * @param number in the scene file's list, from 1
  * @param name of the body or light
- * @param material its name in {@code materials}
+ * @param material its name in the scene file
  * @param source the mesh's file as the scene names it, or its shape
  * @param part of a mesh's file that has several: its name, or such as {@code 2 of 3}
  */
