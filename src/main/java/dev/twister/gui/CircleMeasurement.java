@@ -25,7 +25,7 @@ final class CircleMeasurement {
     private static final double TURN_SECONDS = 10;
 
     /** The chosen engine may compile its kernel for long, or fail. */
-    private static final double LONGEST_WARM_UP_SECONDS = 60;
+    private static final double LONGEST_START_SECONDS = 60;
 
     private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
 
@@ -40,14 +40,14 @@ final class CircleMeasurement {
     private Optional<DrawnPicture> first = Optional.empty();
     private Optional<DrawnPicture> last = Optional.empty();
     private int pulses;
-    private boolean warm;
-    private double measuredSince;
+    private boolean ready;
+    private double movedSince;
     private boolean done;
 
     /**
      * Begins; {@link #pulse} is to be called in every pulse.
      *
-     * @param warmUpSeconds before the first picture that counts
+     * @param warmUpSeconds of moving before the first picture that counts
      * @param seconds of the measurement
      * @param whenDone told once; empty where fewer than two pictures were shown
      */
@@ -67,15 +67,19 @@ final class CircleMeasurement {
             return;
         }
         double elapsed = (startNanos - beginNanos) / NANOS_PER_SECOND;
-        studio.moveCamera(_ -> CameraPath.onCircle(camera, spheres, elapsed / TURN_SECONDS));
-        if (!warm) {
-            warm = elapsed > warmUpSeconds && (isReady() || elapsed > LONGEST_WARM_UP_SECONDS);
-            measuredSince = elapsed;
+        if (!ready) {
+            ready = isReady() || elapsed > LONGEST_START_SECONDS;
+            movedSince = elapsed;
+            return;
+        }
+        double moved = elapsed - movedSince;
+        studio.moveCamera(_ -> CameraPath.onCircle(camera, spheres, moved / TURN_SECONDS));
+        if (moved <= warmUpSeconds) {
             return;
         }
         pulses++;
         studio.pictureProperty().get().filter(DrawnPicture::isWhole).ifPresent(picture -> note(picture, startNanos));
-        if (elapsed > measuredSince + seconds) {
+        if (moved > warmUpSeconds + seconds) {
             done = true;
             whenDone.accept(last.filter(_ -> shownNanos.size() > 1).map(this::rates));
         }

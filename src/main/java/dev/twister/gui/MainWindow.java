@@ -130,7 +130,10 @@ public final class MainWindow implements AutoCloseable {
             whenDone.accept(rates);
             stage.hide();
         });
-        onPulse((start, _) -> measurement.pulse(start));
+        onPulse((start, _) -> {
+            pulses.wake();
+            measurement.pulse(start);
+        });
     }
 
     /** Ends all that is the window's but {@linkplain #awaitFiles what is still being written}. */
