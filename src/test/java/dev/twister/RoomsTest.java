@@ -226,7 +226,7 @@ class RoomsTest {
                         "gui.model",
                         "gui.studio",
                         "gui.files"),
-                room("gui", "files", "scene", "world", "engine", "gui.."),
+                room("gui", "files", "scene", "world", "engine", "engine.auto", "bench", "gui.."),
                 room(
                         "cli",
                         "files",
