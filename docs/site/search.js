@@ -1,3 +1,8 @@
+// On a narrow screen the lists begin closed, so that the page itself is seen.
+if (matchMedia("(max-width: 52rem)").matches) {
+  document.querySelectorAll("nav details").forEach((list) => { list.open = false; });
+}
+
 // Lists the pages that have all the words that are typed, those that have them in their title first.
 const field = document.getElementById("search");
 const found = document.getElementById("found");

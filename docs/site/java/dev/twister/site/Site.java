@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -47,7 +48,9 @@ public final class Site {
                 .forEach(files::add);
         try (Stream<Path> found = Files.walk(Path.of("docs"))) {
             found.filter(file -> file.toString().endsWith(".md"))
-                    .sorted()
+                    .sorted(Comparator.comparing(Path::getParent)
+                            .thenComparingInt(Site::number)
+                            .thenComparing(Comparator.naturalOrder()))
                     .forEach(files::add);
         }
         List<Page> pages = new ArrayList<>();
@@ -55,5 +58,11 @@ public final class Site {
             pages.add(Page.read(file));
         }
         return pages;
+    }
+
+    /** The number that a file's name begins with, as lessons and decisions do; 0 for others. */
+    private static int number(Path file) {
+        String digits = file.getFileName().toString().replaceFirst("\\D.*", "");
+        return digits.isEmpty() ? 0 : Integer.parseInt(digits);
     }
 }

@@ -1,6 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.engine.ExposureMeter;
+import dev.twister.explain.BodyNames;
 import dev.twister.explain.PathJson;
 import dev.twister.explain.PathText;
 import dev.twister.explain.PixelPath;
@@ -8,8 +9,10 @@ import dev.twister.image.PictureSize;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.VisibleBodies;
+import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -84,7 +87,9 @@ final class ExplainCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Scene scene = sky.over(VisibleBodies.of(SceneFiles.read(SceneFiles.find(sceneName))));
+        Path file = SceneFiles.find(sceneName);
+        Scene read = SceneFiles.read(file);
+        Scene scene = sky.over(VisibleBodies.of(read));
         Rendering settings = settings(scene.rendering());
         Ranges.check("--pixel's column", pixel.column(), 0, settings.width() - 1);
         Ranges.check("--pixel's row", pixel.row(), 0, settings.height() - 1);
@@ -93,12 +98,14 @@ final class ExplainCommand implements Callable<Integer> {
         world.setCamera(camera.over(scene));
         world.setSettings(settings);
         world.setSettings(tone.metered(settings, () -> ExposureMeter.stops(world.snapshot())));
-        PixelPath path = PixelPath.of(world.snapshot(), pixel.column(), pixel.row(), sample);
+        FrameInput input = world.snapshot();
+        PixelPath path = PixelPath.of(input, pixel.column(), pixel.row(), sample);
+        BodyNames names = new BodyNames(read, file.toAbsolutePath().resolveSibling(""), world.meshes(), input);
         PrintWriter out = spec.commandLine().getOut();
         if (json) {
-            out.println(PathJson.of(path));
+            out.println(PathJson.of(path, names));
         } else {
-            out.print(PathText.of(path));
+            out.print(PathText.of(path, names));
             out.flush();
         }
         return ExitCode.OK;

@@ -1,11 +1,13 @@
 package dev.twister.cli;
 
+import dev.twister.bench.WindowRates;
 import dev.twister.engine.Engines;
 import dev.twister.gui.FirstScene;
 import dev.twister.gui.Gui;
 import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.scene.SceneException;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -21,7 +23,13 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "gui",
         description = "Opens the window, as 'twister' without a command does.",
-        footer = {"", "Examples:", "  twister gui mirrors", "  twister gui my-scene.json --engine vector"})
+        footer = {
+            "",
+            "Examples:",
+            "  twister gui mirrors",
+            "  twister gui my-scene.json --engine vector",
+            "  twister gui benchmark --engine vector --measure window.json"
+        })
 final class GuiCommand implements Callable<Integer> {
     static final String FIRST_SCENE = "weekend";
 
@@ -45,19 +53,40 @@ final class GuiCommand implements Callable<Integer> {
                             + " or auto.")
     private Optional<String> engineId = Optional.empty();
 
+    @Option(
+            names = "--measure",
+            paramLabel = "FILE",
+            description =
+                    "Move the camera around the scene at 720p, write the frames per second of 10 s and the display"
+                            + " to FILE as JSON, and close the window. A .jsonl file gets them as a new line.")
+    private Optional<Path> measurement = Optional.empty();
+
     @Override
-    public Integer call() {
+    public Integer call() throws IOException {
         Path asked = SceneFiles.find(sceneName.orElse(FIRST_SCENE));
         Optional<Path> panorama = Optional.of(asked).filter(Gui::isPanorama);
         Path file = panorama.isPresent() ? SceneFiles.find(FIRST_SCENE) : asked;
         // To look for devices takes TornadoVM a second: the window tells of one that is not there.
         engineId.filter(id -> !Engines.isDevice(id))
                 .ifPresent(id -> Engines.offer(id).check());
-        Gui.run(
-                panorama.map(sky -> FirstScene.of(OpenedScene.readUnder(sky, file)))
-                        .orElseGet(() -> Model.isNamed(file) ? staged(file) : first(file)),
-                engineId,
-                new ShippedFolders(Home.scenes(), Home.skyboxes()));
+        FirstScene first = panorama.map(sky -> FirstScene.of(OpenedScene.readUnder(sky, file)))
+                .orElseGet(() -> Model.isNamed(file) ? staged(file) : first(file));
+        ShippedFolders shipped = new ShippedFolders(Home.scenes(), Home.skyboxes());
+        if (measurement.isPresent()) {
+            return measure(first, shipped, measurement.get());
+        }
+        Gui.run(first, engineId, shipped);
+        return ExitCode.OK;
+    }
+
+    private int measure(FirstScene first, ShippedFolders shipped, Path file) throws IOException {
+        OutputFile.check("--measure", file);
+        Optional<WindowRates> rates = Gui.measure(first, engineId, shipped);
+        if (rates.isEmpty()) {
+            throw new BadInputException("the window showed fewer than two pictures in 10 s; take a faster --engine");
+        }
+        rates.get().write(sceneName.orElse(FIRST_SCENE), file);
+        spec.commandLine().getOut().println(file + ": " + rates.get().text());
         return ExitCode.OK;
     }
 

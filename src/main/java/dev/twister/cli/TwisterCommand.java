@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import java.io.IOException;
 import java.util.concurrent.Callable;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
@@ -57,7 +58,7 @@ final class TwisterCommand implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() {
+    public Integer call() throws IOException {
         return new GuiCommand().call();
     }
 }

@@ -16,7 +16,7 @@ public final class PathJson {
     private PathJson() {}
 
     /** A JSON object; what a step has not, such as the surface of a ray that meets the sky, is absent. */
-    public static String of(PixelPath path) {
+    public static String of(PixelPath path, BodyNames names) {
         Map<String, Object> tree = new LinkedHashMap<>();
         tree.put("pixel", List.of(path.column(), path.row()));
         tree.put("sample", path.sample());
@@ -24,7 +24,7 @@ public final class PathJson {
         if (path.lights().size() > 1) {
             tree.put("lights", path.lights());
         }
-        tree.put("steps", steps(path.steps()));
+        tree.put("steps", steps(path.steps(), names));
         tree.put("sampleRadiance", rgb(path.radiance()));
         tree.put("pixelRadiance", rgb(path.pixel()));
         tree.put("shown", List.of(path.shown(0), path.shown(1), path.shown(2)));
@@ -34,7 +34,7 @@ public final class PathJson {
                 .writeValueAsString(tree);
     }
 
-    private static List<Map<String, Object>> steps(List<PathStep> steps) {
+    private static List<Map<String, Object>> steps(List<PathStep> steps, BodyNames names) {
         List<Map<String, Object>> list = new ArrayList<>();
         for (PathStep step : steps) {
             Map<String, Object> tree = new LinkedHashMap<>();
@@ -49,6 +49,7 @@ public final class PathJson {
             tree.put("inside", step.inside());
             tree.put("throughput", rgb(step.throughput()));
             tree.put("body", step.body());
+            names.find(step.body()).ifPresent(name -> tree.put("meets", name.tree()));
             if (step.body() != Layout.NOTHING) {
                 tree.put("distance", number(step.distance()));
             }

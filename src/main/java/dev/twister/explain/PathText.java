@@ -18,11 +18,11 @@ public final class PathText {
     private PathText() {}
 
     /** Lines that end with a line feed each. */
-    public static String of(PixelPath path) {
-        return path.isTraced() ? TracedText.of(path) : whitted(path);
+    public static String of(PixelPath path, BodyNames names) {
+        return path.isTraced() ? TracedText.of(path, names) : whitted(path, names);
     }
 
-    private static String whitted(PixelPath path) {
+    private static String whitted(PixelPath path, BodyNames names) {
         List<List<String>> rows = new ArrayList<>();
         rows.add(TITLES);
         List<PathStep> steps = path.steps();
@@ -43,8 +43,7 @@ public final class PathText {
                 .append(" along ")
                 .append(TextTable.vector(view.direction()))
                 .append("\n\n");
-        text.append(TextTable.of(rows, TEXTS));
-        text.append('\n');
+        text.append(TextTable.of(rows, TEXTS)).append('\n').append(NamesText.of(path, names));
         for (int step = 0; step < steps.size(); step++) {
             int number = step;
             steps.get(step).shading().ifPresent(shading -> text.append(surface(path, number, shading)));

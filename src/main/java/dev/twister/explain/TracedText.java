@@ -17,7 +17,7 @@ final class TracedText {
     private TracedText() {}
 
     /** Lines that end with a line feed each. */
-    static String of(PixelPath path) {
+    static String of(PixelPath path, BodyNames names) {
         List<List<String>> rows = new ArrayList<>();
         rows.add(TITLES);
         StringBuilder surfaces = new StringBuilder();
@@ -40,6 +40,7 @@ final class TracedText {
                         .replace(System.lineSeparator(), "\n")
                 + TextTable.of(rows, TEXTS)
                 + "\n"
+                + NamesText.of(path, names)
                 + surfaces
                 + "\nadds = throughput * w * radiance, clamped beyond the first surface; 0 if the way to an emitter is"
                 + " blocked\n"

@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import dev.twister.bench.WindowRates;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.gui.files.ShippedFolders;
@@ -13,6 +14,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import java.util.logging.Logger;
 import javafx.application.Platform;
 import javafx.stage.Stage;
@@ -32,6 +35,30 @@ public final class Gui {
      * @throws NoDisplayException if there is no screen
      */
     public static void run(FirstScene first, Optional<String> engine, ShippedFolders shipped) {
+        start(first, engine, shipped, UserFiles.ofThisUser(), _ -> {});
+    }
+
+    /**
+     * Shows the window while its camera moves around the scene, and returns how fast it was; the user's settings have
+     * no effect and are not changed.
+     *
+     * @param engine the id of the engine; empty for {@code auto}
+     * @param shipped the scenes that are offered
+     * @return empty if the window was closed early, or showed fewer than two pictures
+     * @throws NoDisplayException if there is no screen
+     */
+    public static Optional<WindowRates> measure(FirstScene first, Optional<String> engine, ShippedFolders shipped) {
+        AtomicReference<Optional<WindowRates>> measured = new AtomicReference<>(Optional.empty());
+        start(first, engine, shipped, UserFiles.NONE, window -> window.measure(measured::set));
+        return measured.get();
+    }
+
+    private static void start(
+            FirstScene first,
+            Optional<String> engine,
+            ShippedFolders shipped,
+            UserFiles own,
+            Consumer<MainWindow> whenOpen) {
         Display.check();
         Language.choose();
         // PNG and JPEG skies are read by AWT, which must not open a display besides JavaFX's.
@@ -41,7 +68,13 @@ public final class Gui {
         double textScale = TextScale.ofSystem();
         CompletableFuture<Runnable> end = new CompletableFuture<>();
         try {
-            Platform.startup(() -> open(first, engine, shipped, textScale, end));
+            Platform.startup(() -> {
+                try {
+                    whenOpen.accept(open(first, engine, shipped, own, textScale, end));
+                } catch (RuntimeException | LinkageError problem) {
+                    end.completeExceptionally(problem);
+                }
+            });
         } catch (RuntimeException | LinkageError problem) {
             throw new NoDisplayException(Display.explain(problem), problem);
         }
@@ -58,39 +91,47 @@ public final class Gui {
         return Files.isRegularFile(file) && DroppedFile.kind(file) == DroppedFile.Kind.SKYBOX;
     }
 
-    private static void open(
+    private static MainWindow open(
             FirstScene first,
             Optional<String> engine,
             ShippedFolders shipped,
+            UserFiles own,
             double textScale,
             CompletableFuture<Runnable> end) {
-        try {
-            Stage stage = new Stage();
-            SettingsStore store = SettingsStore.ofThisUser();
-            SettingsStore.Found found = store.read();
-            String id = engine.orElse(found.settings().get(WindowSettings.ENGINE));
-            // Looking for engines takes TornadoVM a second: that is left to the thread that opens this one.
-            EngineOffer offer = EngineOffer.working(id, "", "", () -> Engines.open(id));
-            Studio studio = Studio.start(first.opened(), offer);
-            MainWindow window = new MainWindow(
-                    stage,
-                    studio,
-                    new WindowOptions(
-                            new SystemFileChoice(stage),
-                            store,
-                            found,
-                            AutosaveFolder.ofThisUser(),
-                            shipped,
-                            Optional.of(first.opened().file().path()).filter(_ -> first.asked()),
-                            textScale));
-            stage.setOnHidden(_ -> {
-                window.close();
-                end.complete(window::awaitFiles);
-            });
-            window.show();
-            first.toOpen().ifPresent(window.workbench().files()::open);
-        } catch (RuntimeException | LinkageError problem) {
-            end.completeExceptionally(problem);
+        Stage stage = new Stage();
+        SettingsStore.Found found = own.settings().read();
+        String id = engine.orElse(found.settings().get(WindowSettings.ENGINE));
+        // Looking for engines takes TornadoVM a second: that is left to the thread that opens this one.
+        EngineOffer offer = EngineOffer.working(id, "", "", () -> Engines.open(id));
+        Studio studio = Studio.start(first.opened(), offer);
+        MainWindow window = new MainWindow(
+                stage,
+                studio,
+                new WindowOptions(
+                        new SystemFileChoice(stage),
+                        own.settings(),
+                        found,
+                        own.autosaves(),
+                        shipped,
+                        Optional.of(first.opened().file().path()).filter(_ -> first.asked()),
+                        textScale));
+        stage.setOnHidden(_ -> {
+            window.close();
+            end.complete(window::awaitFiles);
+        });
+        window.show();
+        first.toOpen().ifPresent(window.workbench().files()::open);
+        return window;
+    }
+
+    /** What the window keeps between runs. */
+    private record UserFiles(SettingsStore settings, AutosaveFolder autosaves) {
+        /** The defaults; nothing is kept. */
+        static final UserFiles NONE =
+                new UserFiles(new SettingsStore(Optional.empty()), new AutosaveFolder(Optional.empty()));
+
+        static UserFiles ofThisUser() {
+            return new UserFiles(SettingsStore.ofThisUser(), AutosaveFolder.ofThisUser());
         }
     }
 }

@@ -1,12 +1,15 @@
 package dev.twister.gui;
 
+import dev.twister.bench.WindowRates;
 import dev.twister.gui.camera.CameraKeys;
 import dev.twister.gui.camera.CameraMouse;
 import dev.twister.gui.files.Reading;
 import dev.twister.gui.picture.FrameTimesView;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.Studio;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import javafx.geometry.Pos;
 import javafx.scene.Scene;
 import javafx.scene.input.InputEvent;
@@ -19,6 +22,9 @@ import javafx.stage.Stage;
 public final class MainWindow implements AutoCloseable {
     private static final double WIDTH = 1280;
     private static final double HEIGHT = 760;
+    private static final double WARM_UP_SECONDS = 5;
+    private static final double MEASURED_SECONDS = 10;
+
     /**
      * Painted with the clearing of the window: a background under the picture would be a second coat, which takes
      * JavaFX without a graphics card a quarter of a picture's time.
@@ -116,6 +122,15 @@ public final class MainWindow implements AutoCloseable {
     void onPulse(PulseListener newListener) {
         pulses.wake();
         listener = newListener;
+    }
+
+    /** Measures how fast the window is, tells that, and closes it. */
+    void measure(Consumer<Optional<WindowRates>> whenDone) {
+        CircleMeasurement measurement = new CircleMeasurement(studio, WARM_UP_SECONDS, MEASURED_SECONDS, rates -> {
+            whenDone.accept(rates);
+            stage.hide();
+        });
+        onPulse((start, _) -> measurement.pulse(start));
     }
 
     /** Ends all that is the window's but {@linkplain #awaitFiles what is still being written}. */

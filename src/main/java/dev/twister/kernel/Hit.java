@@ -75,8 +75,8 @@ public final class Hit {
         return hit;
     }
 
-    /** The closest hit so far, or a closer one of the lights after the first. */
-    private static int amongLights(float[] path, int first, float[] frame, float[] bodies) {
+    /** The closest hit so far, at {@link Layout#DISTANCE}, or a closer one of the lights after the first. */
+    public static int amongLights(float[] path, int first, float[] frame, float[] bodies) {
         int hit = first;
         int lights = (int) frame[Layout.LIGHTS];
         for (int index = 1; index < lights; index++) {

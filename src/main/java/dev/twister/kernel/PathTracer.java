@@ -37,15 +37,20 @@ public final class PathTracer {
             float[] meshes,
             float[] images,
             int variant) {
+        begin(path);
         int bounce = 0;
         int ray = TO_SURFACE;
-        path[Layout.SURFACE_DENSITY] = 0f;
-        path[Layout.RAYS] = 0f;
         while (ray != NO_RAY) {
             int meets = ray == TO_SURFACE ? 1 : 0;
             ray = step(path, bounce, ray, scratch, frame, bodies, looks, meshes, images, variant);
             bounce = bounce + meets;
         }
+    }
+
+    /** Prepares for the first {@link #step} from a view ray. */
+    public static void begin(float[] path) {
+        path[Layout.SURFACE_DENSITY] = 0f;
+        path[Layout.RAYS] = 0f;
     }
 
     /**
@@ -73,28 +78,61 @@ public final class PathTracer {
         if ((variant & Variant.MASKS) != 0) {
             path[Layout.RAYS] = path[Layout.RAYS] + 1f;
         }
-        int toEmitter = 0;
-        int goesOn = 0;
+        int next = NO_RAY;
         if (direct != 0) {
-            addDirect(path, body, scratch, variant);
-            goesOn = carriesLight(path);
+            next = light(path, body, scratch, variant);
         }
         if (direct == 0) {
-            if (body == Layout.NOTHING) {
-                addSky(path, bounce, scratch, frame, looks, images, variant);
-            }
-            if (body > Layout.NOTHING) {
-                meet(path, body, frame, bodies, looks, meshes, images, variant);
-                addEmission(path, body, bounce, scratch, frame, bodies, looks, variant);
-            }
-            int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
-            if (isSurface != 0) {
-                toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
-                Guides.trace(path, variant);
-            }
-            goesOn = isSurface != 0 ? carriesLight(path) : 0;
-            Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
+            next = arrive(path, body, bounce, scratch, frame, bodies, looks, meshes, images, variant);
         }
+        return next;
+    }
+
+    /**
+     * Ends a ray to an emitter, and replaces it by the next ray.
+     *
+     * @param body the body that blocks it, or {@link Layout#NOTHING}
+     * @return as {@link #step} returns it
+     */
+    public static int light(float[] path, int body, float[] scratch, int variant) {
+        addDirect(path, body, scratch, variant);
+        next(path);
+        return carriesLight(path) != 0 ? TO_SURFACE : NO_RAY;
+    }
+
+    /**
+     * Ends a ray of the path at its closest hit, and replaces it by the next ray.
+     *
+     * @param body the body hit, or {@link Layout#NOTHING}
+     * @param bounce as {@link #step} takes it
+     * @return as {@link #step} returns it
+     */
+    public static int arrive(
+            float[] path,
+            int body,
+            int bounce,
+            float[] scratch,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            float[] images,
+            int variant) {
+        int toEmitter = 0;
+        if (body == Layout.NOTHING) {
+            addSky(path, bounce, scratch, frame, looks, images, variant);
+        }
+        if (body > Layout.NOTHING) {
+            meet(path, body, frame, bodies, looks, meshes, images, variant);
+            addEmission(path, body, bounce, scratch, frame, bodies, looks, variant);
+        }
+        int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
+        if (isSurface != 0) {
+            toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
+            Guides.trace(path, variant);
+        }
+        int goesOn = isSurface != 0 ? carriesLight(path) : 0;
+        Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
         if (toEmitter == 0) {
             next(path);
         }

@@ -190,6 +190,11 @@ public final class SceneMeshes {
         return loaded(mesh).file().parts().size();
     }
 
+    /** The file's name for a part of a mesh; may be empty. */
+    public String partName(Mesh mesh, int part) {
+        return loaded(mesh).file().parts().get(part).name();
+    }
+
     /** The material of a mesh if the scene gives none: that of its file's first part. */
     public Material fileMaterial(Mesh mesh) {
         Material material = loaded(mesh).file().parts().getFirst().material();

@@ -2,7 +2,11 @@ package dev.twister.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tools.jackson.databind.JsonNode;
@@ -21,6 +25,35 @@ class ExplainCommandTest {
                 .anyMatch(line -> line.startsWith("2 ") && line.contains("sky"))
                 .anyMatch(line -> line.startsWith("step 0: point (") && line.endsWith("64 shadow rays, 64 free"));
         assertThat(outcome.out()).doesNotContain("\r").endsWith("\n");
+    }
+
+    @Test
+    void bodiesHaveTheirNamesInTheSceneFile(@TempDir Path folder) throws IOException {
+        Path scene = folder.resolve("named.json");
+        Files.writeString(scene, """
+                {"version": 3, "skybox": "%s",
+                 "camera": {"position": [0, 0, -5], "yaw": 0, "pitch": 0, "fieldOfView": 45},
+                 "light": {"position": [0, 9, -9], "radius": 1, "color": [1, 1, 1]},
+                 "plane": {"size": 1, "height": -5, "colors": [[1, 1, 1], [0, 0, 0]], "reflectivity": 0},
+                 "materials": {"gold": {"color": [1, 0.8, 0.3], "reflectivity": 128}},
+                 "spheres": [
+                   {"position": [0, 0, 0], "radius": 1, "color": [1, 1, 1], "reflectivity": 0, "hidden": true},
+                   {"position": [0, 0, 0], "radius": 1, "material": "gold", "name": "Ball"}]}
+                """.formatted(Path.of("skyboxes", "day.hdr").toAbsolutePath()));
+        Outcome text = Outcome.of("explain", scene.toString(), "--size", "32x32", "--pixel", "16,16");
+        Outcome json = Outcome.of("explain", scene.toString(), "--size", "32x32", "--pixel", "16,16", "--json");
+
+        assertThat(text.out()).contains("body 2: sphere 2, \"Ball\", material \"gold\"\n");
+        assertThat(JsonMapper.shared().readTree(json.out()).at("/steps/0/meets"))
+                .isEqualTo(JsonMapper.shared().readTree("""
+                        {"kind": "sphere", "number": 2, "name": "Ball", "material": "gold"}"""));
+    }
+
+    @Test
+    void partsOfMeshesHaveTheirFile() {
+        Outcome outcome = Outcome.of("explain", "knot", "--size", "64x36", "--pixel", "25,18", "--bounces", "0");
+
+        assertThat(outcome.out()).contains("body 5: mesh 1, meshes/knot.obj, part glass\n");
     }
 
     @Test

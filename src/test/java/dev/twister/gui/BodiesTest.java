@@ -29,12 +29,14 @@ import javafx.event.EventType;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Group;
+import javafx.scene.Node;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.paint.Color;
 import javafx.scene.shape.Line;
 import javafx.scene.shape.Polygon;
+import javafx.scene.shape.Polyline;
 import javafx.stage.Stage;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -614,6 +616,64 @@ class BodiesTest {
                 .isCloseTo(first.y() + after.y() - before.y(), within(1e-9));
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
+    }
+
+    @Test
+    void withShiftADraggedBodyRestsOnWhatIsUnderThePointer() {
+        click(seenAt(MIDDLE));
+        Point2D from = seenAt(MIDDLE);
+        Bounds picture = driver.pictureOnScreen();
+        driver.withRobot(hand -> hand.mouseMove(from.getX(), from.getY()));
+        driver.withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
+        driver.withRobot(hand -> hand.mouseMove(from.getX() + 10, picture.getMaxY() - 20));
+        driver.press(KeyCode.SHIFT);
+        driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+        driver.release(KeyCode.SHIFT);
+        double lowest = BodyEdits.position(scene(), MIDDLE).y()
+                - BodyEdits.sphere(scene(), MIDDLE).radius();
+        assertThat(lowest).isCloseTo(scene().ground().height(), within(1e-3));
+    }
+
+    @Test
+    void theBoxScalesTheSelectedBodiesInOneStep() {
+        double before = BodyEdits.sphere(scene(), MIDDLE).radius();
+        click(seenAt(MIDDLE));
+        drag(middleOf("#scale-handle"), 30, 30);
+        assertThat(BodyEdits.sphere(scene(), MIDDLE).radius()).isGreaterThan(before * 1.2);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
+    }
+
+    @Test
+    void aRingRotatesTheSelectedBodiesAboutTheActiveOne() {
+        click(seenAt(MIDDLE));
+        assertThat(WindowDriver.call(driver.find("#ring-z", Group.class)::isVisible))
+                .as("a sphere alone does not turn")
+                .isFalse();
+        Vector3 first = BodyEdits.position(scene(), Layout.FIRST_SPHERE);
+        Vector3 active = BodyEdits.position(scene(), MIDDLE);
+        selectTwo();
+        Group ring = driver.find("#ring-z", Group.class);
+        Point2D place = WindowDriver.call(() -> {
+            Polyline line = (Polyline) ring.lookup(".handle");
+            // Beside the arrows.
+            int corner = 2 * (line.getPoints().size() / 2 * 3 / 8);
+            return line.localToScreen(
+                    line.getPoints().get(corner), line.getPoints().get(corner + 1));
+        });
+        drag(place, 12, 12);
+        assertThat(BodyEdits.position(scene(), MIDDLE)).isEqualTo(active);
+        Vector3 turned = BodyEdits.position(scene(), Layout.FIRST_SPHERE);
+        assertThat(turned).isNotEqualTo(first);
+        assertThat(turned.minus(active).length()).isCloseTo(first.minus(active).length(), within(1e-6));
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
+    }
+
+    private static Point2D middleOf(String selector) {
+        Node node = driver.find(selector, Node.class);
+        return WindowDriver.call(() -> node.localToScreen(
+                node.getLayoutBounds().getCenterX(), node.getLayoutBounds().getCenterY()));
     }
 
     @Test

@@ -66,7 +66,7 @@ final class BounceRenderer {
     }
 
     /** Finds the closest hits of the live rays and sorts the rays by the kind of body hit. */
-    private void findHits(Drawing drawing, Tile rays, int bounce, boolean offPlane) {
+    void findHits(Drawing drawing, Tile rays, int bounce, boolean offPlane) {
         boolean rise = offPlane;
         if (drawing.crowded) {
             rays.nearMeshes = drawing.bodies.meshes.count > 0;

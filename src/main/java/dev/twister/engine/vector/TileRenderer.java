@@ -18,6 +18,7 @@ final class TileRenderer {
     private final TileBench bench = new TileBench();
     private final Tile tile = bench.tile;
     private final BounceRenderer bounces = new BounceRenderer(bench);
+    private final PathTile paths = new PathTile(bench, bounces);
 
     /** Prepares for a frame. */
     void start(Drawing drawing) {
@@ -37,6 +38,10 @@ final class TileRenderer {
         TileOutput.approachNext(tile, drawing.frame);
         if (drawing.declined.isFrame()) {
             bench.handover.drawTile(tile, drawing);
+            return;
+        }
+        if (drawing.input.tracesPaths()) {
+            paths.draw(drawing);
             return;
         }
         bench.wholeTiles.rehearse(drawing);

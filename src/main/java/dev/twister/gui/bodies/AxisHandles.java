@@ -17,6 +17,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.css.PseudoClass;
@@ -47,6 +48,7 @@ public final class AxisHandles extends Group {
     private final BooleanProperty on = new SimpleBooleanProperty(true);
     private final Map<Axis, Arrow> arrows = new EnumMap<>(Axis.class);
     private List<AxisHandle> handles = List.of();
+    private Consumer<Optional<Vector3>> follower = _ -> {};
 
     /** One handle. */
     private static final class Arrow extends Group {
@@ -108,6 +110,11 @@ public final class AxisHandles extends Group {
         return on;
     }
 
+    /** Tells after each change of the picture where the active body is; empty where there are no handles. */
+    void setOnRefresh(Consumer<Optional<Vector3>> newFollower) {
+        follower = newFollower;
+    }
+
     /** The axis of the handle at a place of the view. */
     Optional<Axis> axisAt(double x, double y) {
         return handles.stream()
@@ -122,8 +129,11 @@ public final class AxisHandles extends Group {
     }
 
     private void refresh() {
-        List<AxisHandle> seen =
-                isWanted() ? studio.pictureProperty().get().map(this::seen).orElse(List.of()) : List.of();
+        Optional<DrawnPicture> picture = studio.pictureProperty().get().filter(_ -> isWanted());
+        Optional<Vector3> middle = picture.flatMap(this::middle);
+        List<AxisHandle> seen = middle.map(
+                        at -> seen(Projection.of(picture.orElseThrow().input()), at))
+                .orElse(List.of());
         // Setting the same places would make JavaFX paint again.
         if (!seen.equals(handles)) {
             handles = seen;
@@ -134,6 +144,7 @@ public final class AxisHandles extends Group {
                 arrow.setVisible(true);
             }
         }
+        follower.accept(middle);
     }
 
     private boolean isWanted() {
@@ -142,16 +153,14 @@ public final class AxisHandles extends Group {
                 && !studio.motion().motionProperty().get().running();
     }
 
-    private List<AxisHandle> seen(DrawnPicture picture) {
+    private List<AxisHandle> seen(Projection projection, Vector3 middle) {
         PicturePlace place = view.place();
         double pixels =
                 place.toPicture(LENGTH, 0).getX() - place.toPicture(0, 0).getX();
-        return middle(picture)
-                .map(middle -> AxisHandle.of(Projection.of(picture.input()), middle, pixels).stream()
-                        .map(handle -> new AxisHandle(
-                                handle.axis(), inView(place, handle.middle()), inView(place, handle.tip())))
-                        .toList())
-                .orElse(List.of());
+        return AxisHandle.of(projection, middle, pixels).stream()
+                .map(handle ->
+                        new AxisHandle(handle.axis(), inView(place, handle.middle()), inView(place, handle.tip())))
+                .toList();
     }
 
     /** The middle of the active body in the picture; empty if it is not visible. */

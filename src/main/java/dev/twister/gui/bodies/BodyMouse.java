@@ -44,12 +44,15 @@ public final class BodyMouse {
     private final ReadOnlyObjectWrapper<Optional<Axis>> axis = new ReadOnlyObjectWrapper<>(Optional.empty());
 
     /** The drag of the active body and of the bodies that move with it. */
-    private record Held(BodyDrag drag, HeldBodies bodies) {}
+    private record Held(BodyDrag drag, HeldBodies bodies, Optional<SurfaceRest> rest) {}
 
     /** The pointer of the drag, in pixels of the view. */
     private Point2D draggedTo = Point2D.ZERO;
 
     private boolean snapping;
+
+    /** Whether the active body is put on the surface under the pointer. */
+    private boolean resting;
 
     /** The last notice about the axis; may be empty. */
     private String told = "";
@@ -89,6 +92,8 @@ public final class BodyMouse {
         view.addEventFilter(KeyEvent.KEY_RELEASED, event -> {
             if (event.getCode() == KeyCode.CONTROL) {
                 mouse.snap(false);
+            } else if (event.getCode() == KeyCode.SHIFT) {
+                mouse.rest(false);
             }
         });
         return mouse;
@@ -133,7 +138,8 @@ public final class BodyMouse {
                         studio.bodies().extent(studio.selection().active()).middle(),
                         place.getX(),
                         place.getY()),
-                bodies));
+                bodies,
+                SurfaceRest.of(studio, picture)));
         view.requestFocus();
         event.consume();
     }
@@ -147,6 +153,7 @@ public final class BodyMouse {
         if (held.isPresent()) {
             draggedTo = new Point2D(event.getX(), event.getY());
             snapping = event.isControlDown();
+            resting = event.isShiftDown();
             move();
             event.consume();
         }
@@ -160,7 +167,11 @@ public final class BodyMouse {
             Vector3 free = axis.get()
                     .map(along -> taken.drag().placeAlong(along, input, to.getX(), to.getY()))
                     .orElseGet(() -> taken.drag().placeAt(input, to.getX(), to.getY()));
-            Vector3 place = snapping ? BodyDrag.snapped(free, axis.get()) : free;
+            Vector3 snapped = snapping ? BodyDrag.snapped(free, axis.get()) : free;
+            Vector3 place = taken.rest()
+                    .filter(_ -> resting && axis.get().isEmpty())
+                    .flatMap(rest -> rest.place(to.getX(), to.getY()))
+                    .orElse(snapped);
             studio.edit("move", scene -> taken.bodies().moved(scene, place));
         });
     }
@@ -172,6 +183,8 @@ public final class BodyMouse {
         }
         if (key == KeyCode.CONTROL) {
             snap(true);
+        } else if (key == KeyCode.SHIFT) {
+            rest(true);
         }
         Stream.of(Axis.values())
                 .filter(along -> along.name().equals(key.getName()))
@@ -202,6 +215,13 @@ public final class BodyMouse {
         }
     }
 
+    private void rest(boolean on) {
+        if (held.isPresent() && resting != on) {
+            resting = on;
+            move();
+        }
+    }
+
     private void released(MouseEvent event) {
         if (held.isPresent()) {
             letGo();
@@ -213,6 +233,7 @@ public final class BodyMouse {
         if (held.isPresent()) {
             held = Optional.empty();
             snapping = false;
+            resting = false;
             axis.set(Optional.empty());
             tellAxis();
             studio.endGesture();

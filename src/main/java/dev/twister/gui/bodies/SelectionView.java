@@ -50,7 +50,7 @@ public final class SelectionView extends Pane {
     private final Line axisLine = new Line();
     private Optional<Axis> axis = Optional.empty();
 
-    public SelectionView(PictureView view, Studio studio, AxisHandles handles) {
+    public SelectionView(PictureView view, Studio studio, List<Group> handles) {
         this.view = view;
         this.studio = studio;
         setMouseTransparent(true);
@@ -66,7 +66,8 @@ public final class SelectionView extends Pane {
         axisLine.setManaged(false);
         axisLine.setVisible(false);
         axisLine.setId("axis");
-        getChildren().addAll(axisLine, others, active, handles);
+        getChildren().addAll(axisLine, others, active);
+        getChildren().addAll(handles);
         studio.pictureProperty().subscribe(_ -> refresh());
         studio.selection().bodiesProperty().subscribe(_ -> refresh());
         view.image().boundsInParentProperty().subscribe(_ -> refresh());

@@ -1,5 +1,6 @@
 package dev.twister.gui.bodies;
 
+import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.Axis;
 import dev.twister.gui.model.BodyDrag;
 import dev.twister.gui.model.BodyTransform;
@@ -35,12 +36,17 @@ public final class TransformKeys {
     private Optional<Axis> axis = Optional.empty();
     private String typed = "";
     private boolean snapping;
+
+    /** Whether the active body is put on the surface under the pointer. */
+    private boolean resting;
+
     private boolean edited;
     private boolean swallowing;
     private String told = "";
 
     /** What is transformed, by a picture and the pointer's place in it at the start. */
-    private record Held(BodyTransform bodies, BodyDrag drag, FrameInput input, Point2D from) {}
+    private record Held(
+            BodyTransform bodies, BodyDrag drag, FrameInput input, Point2D from, Optional<SurfaceRest> rest) {}
 
     private TransformKeys(PictureView view, Studio studio) {
         this.view = view;
@@ -60,8 +66,9 @@ public final class TransformKeys {
         around.addEventFilter(MouseEvent.MOUSE_CLICKED, keys::swallow);
         around.addEventFilter(KeyEvent.KEY_PRESSED, keys::keyPressed);
         around.addEventFilter(KeyEvent.KEY_RELEASED, event -> {
-            if (event.getCode() == KeyCode.CONTROL) {
-                keys.snapping = false;
+            if (event.getCode() == KeyCode.CONTROL || event.getCode() == KeyCode.SHIFT) {
+                keys.snapping = keys.snapping && event.getCode() != KeyCode.CONTROL;
+                keys.resting = keys.resting && event.getCode() != KeyCode.SHIFT;
                 keys.show();
             }
         });
@@ -84,15 +91,21 @@ public final class TransformKeys {
             return;
         }
         view.requestFocus();
-        FrameInput input = studio.pictureProperty().get().get().input();
+        DrawnPicture picture = studio.pictureProperty().get().get();
+        FrameInput input = picture.input();
         Point2D from = pixel(input);
         Vector3 pivot = bodies.get().pivot();
-        held = Optional.of(
-                new Held(bodies.get(), BodyDrag.start(input, pivot, pivot, from.getX(), from.getY()), input, from));
+        held = Optional.of(new Held(
+                bodies.get(),
+                BodyDrag.start(input, pivot, pivot, from.getX(), from.getY()),
+                input,
+                from,
+                SurfaceRest.of(studio, picture)));
         mode = newMode;
         axis = Optional.empty();
         typed = "";
         snapping = false;
+        resting = false;
         edited = false;
         tell();
     }
@@ -101,6 +114,7 @@ public final class TransformKeys {
         pointer = view.sceneToLocal(event.getSceneX(), event.getSceneY());
         if (held.isPresent()) {
             snapping = event.isControlDown();
+            resting = event.isShiftDown();
             if (typed.isEmpty()) {
                 show();
             }
@@ -143,6 +157,9 @@ public final class TransformKeys {
             cancel();
         } else if (key == KeyCode.CONTROL) {
             snapping = true;
+            show();
+        } else if (key == KeyCode.SHIFT) {
+            resting = true;
             show();
         } else if (along.isPresent()) {
             axis = axis.equals(along) ? Optional.empty() : along;
@@ -206,7 +223,12 @@ public final class TransformKeys {
     private UnaryOperator<Scene> move(Held taken) {
         Vector3 pivot = taken.bodies().pivot();
         Point2D to = pixel(taken.input());
+        Point2D seen = view.place().toPicture(pointer.getX(), pointer.getY());
+        Optional<Vector3> rest = taken.rest()
+                .filter(_ -> resting && axis.isEmpty())
+                .flatMap(surface -> surface.way(seen.getX(), seen.getY()));
         Vector3 by = number().map(meters -> axis.orElse(Axis.X).from(Vector3.ZERO, meters))
+                .or(() -> rest)
                 .orElseGet(() -> {
                     Vector3 free = axis.map(
                                     along -> taken.drag().placeAlong(along, taken.input(), to.getX(), to.getY()))
@@ -271,7 +293,8 @@ public final class TransformKeys {
                         .map(along -> (mode == Mode.MOVE ? " along " : " about ") + along.label())
                         .orElse("")
                 + (typed.isEmpty() ? "" : " " + typed + " " + mode.unit())
-                + ": X, Y, Z axis; type a number; Enter or click confirms, Esc cancels; Ctrl snaps";
+                + ": X, Y, Z axis; type a number; Enter or click confirms, Esc cancels; Ctrl snaps"
+                + (mode == Mode.MOVE ? ", Shift rests it on a surface" : "");
         studio.notice(told);
     }
 

@@ -77,7 +77,8 @@ public enum Command {
     FRAME(Group.VIEW, "Frame selected", "PERIOD", "Moves the camera so that the selected bodies fill the picture."),
     FRAME_ALSO(Group.VIEW, "Frame selected", "DECIMAL", "Same as the period key."),
     Q_UP(Group.VIEW, "Q up, E down", "Shortcut+E", "Swaps the keys for up and down."),
-    AXIS_HANDLES(Group.VIEW, "Axis handles", "Shift+F3", "Shows or hides the arrows that move bodies along an axis."),
+    AXIS_HANDLES(
+            Group.VIEW, "Axis handles", "Shift+F3", "Shows or hides the handles that move, rotate and scale bodies."),
     PANEL(Group.VIEW, "Panel", "F9", "Shows or hides the panel."),
     SAFE_FRAME(Group.VIEW, "Safe frame", "Shift+F11", "Outlines what a picture of the scene's own size shows."),
     LOCK_CAMERA(Group.VIEW, "Lock camera", "Shift+L", "Keeps the camera where it is, but for views and keyframes."),

@@ -26,6 +26,11 @@ public enum Axis {
         return place.plus(direction.times(meters));
     }
 
+    /** The one after it; Z is followed by X. */
+    Axis next() {
+        return values()[(ordinal() + 1) % values().length];
+    }
+
     /** A vector with another part along this axis. */
     Vector3 with(Vector3 vector, double part) {
         return switch (this) {

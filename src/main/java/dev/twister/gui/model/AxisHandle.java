@@ -23,6 +23,14 @@ public record AxisHandle(Axis axis, Point middle, Point tip) {
             return Math.hypot(other.x - x, other.y - y);
         }
 
+        /** To the nearest place of a line. */
+        double distance(Point start, Point end) {
+            double right = end.x - start.x;
+            double down = end.y - start.y;
+            double share = ((x - start.x) * right + (y - start.y) * down) / (right * right + down * down);
+            return start.towards(end, Math.clamp(share, 0, 1)).distance(this);
+        }
+
         private Point towards(Point other, double share) {
             return new Point(x + share * (other.x - x), y + share * (other.y - y));
         }
@@ -60,10 +68,6 @@ public record AxisHandle(Axis axis, Point middle, Point tip) {
 
     /** From a place to the nearest one of the handle, in pixels. */
     public double distance(double x, double y) {
-        Point start = start();
-        double right = tip.x - start.x;
-        double down = tip.y - start.y;
-        double share = ((x - start.x) * right + (y - start.y) * down) / (right * right + down * down);
-        return start.towards(tip, Math.clamp(share, 0, 1)).distance(new Point(x, y));
+        return new Point(x, y).distance(start(), tip);
     }
 }

@@ -60,6 +60,11 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
         return Optional.of(new BodyTransform(scene, movable, sum.times(1.0 / movable.size())));
     }
 
+    /** The same about another pivot. */
+    public BodyTransform about(Vector3 other) {
+        return new BodyTransform(start, bodies, other);
+    }
+
     /** The number nearest to one that a snapped drag gives. */
     public static double snapped(Mode mode, double number) {
         double step = switch (mode) {

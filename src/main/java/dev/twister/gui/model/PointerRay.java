@@ -3,9 +3,11 @@ package dev.twister.gui.model;
 import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Surface;
 import dev.twister.scene.Vector3;
 import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
+import java.util.function.IntPredicate;
 
 /**
  * The view ray through a place on the picture, by the same code that draws it.
@@ -16,11 +18,35 @@ import dev.twister.world.FrameInput;
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 record PointerRay(float[] path, int body, Bodies bodies) {
+    /** Surfaces of bodies that are passed. */
+    private static final int MOST_PASSED = 256;
+
+    /** Meters, and of the distance: behind a surface that is passed. */
+    private static final float BEHIND = 1e-5f;
+
     /** The ray through x and y, in pixels from the picture's upper left corner. */
     static PointerRay through(FrameInput input, double x, double y) {
         float[] path = new float[Layout.PATH_LENGTH];
         CameraRay.start(path, (float) x, (float) y, input.view().frame());
-        int body = Hit.find(
+        return new PointerRay(path, hit(path, input), input.bodies());
+    }
+
+    /** The ray from behind the bodies that are passed; what it meets is none of them. */
+    PointerRay beyond(FrameInput input, IntPredicate passed) {
+        float[] further = path.clone();
+        int met = body;
+        for (int surfaces = 0; surfaces < MOST_PASSED && met != Layout.NOTHING && passed.test(met); surfaces++) {
+            float meters = further[Layout.DISTANCE] * (1 + BEHIND) + BEHIND;
+            for (int axis = 0; axis < 3; axis++) {
+                further[Layout.ORIGIN + axis] += meters * further[Layout.DIRECTION + axis];
+            }
+            met = hit(further, input);
+        }
+        return new PointerRay(further, met != Layout.NOTHING && passed.test(met) ? Layout.NOTHING : met, bodies);
+    }
+
+    private static int hit(float[] path, FrameInput input) {
+        return Hit.find(
                 path,
                 new float[Layout.SCRATCH_LENGTH],
                 input.view().frame(),
@@ -28,7 +54,21 @@ record PointerRay(float[] path, int body, Bodies bodies) {
                 input.bodies().looks(),
                 input.bodies().meshes(),
                 input.variant(false));
-        return new PointerRay(path, body, input.bodies());
+    }
+
+    /** The unit normal where it meets the body, to the ray's side. */
+    Vector3 normal(FrameInput input) {
+        float[] at = path.clone();
+        Surface.find(
+                at,
+                body,
+                input.view().frame(),
+                input.bodies().floats(),
+                input.bodies().meshes(),
+                input.variant(false));
+        Vector3 normal = new Vector3(at[Layout.NORMAL], at[Layout.NORMAL + 1], at[Layout.NORMAL + 2]);
+        boolean away = normal.x() * direction(0) + normal.y() * direction(1) + normal.z() * direction(2) > 0;
+        return away ? normal.times(-1) : normal;
     }
 
     /** Meters to what it meets. */

@@ -11,6 +11,7 @@ import dev.twister.engine.vector.lanes.FusedMultiplyAdd;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.image.Frame;
 import dev.twister.oracle.Crowds;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
@@ -55,6 +56,8 @@ final class AllocationTest {
         "512, pour-on-mesh",
         "256, glass",
         "256, gallery of metal",
+        "256, glass of paths",
+        "256, crowd of 1000 of paths",
         "512, glass",
     })
     void allocatesNextToNothingWithManyMaterials(int bits, String scene) throws IOException, InterruptedException {
@@ -106,13 +109,18 @@ final class AllocationTest {
         static final String WARM = "warm: ";
         private static final String CROWD = "crowd of ";
         private static final String METAL = " of metal";
+        private static final String PATHS = " of paths";
         private static final OperatingSystemMXBean SYSTEM =
                 ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
 
         private WarmFrames() {}
 
         public static void main(String[] arguments) {
-            FrameInput input = world(arguments[0]).snapshot();
+            World world = world(arguments[0].replace(PATHS, ""));
+            if (arguments[0].endsWith(PATHS)) {
+                world.setSettings(world.settings().withIntegrator(Integrator.PATH));
+            }
+            FrameInput input = world.snapshot();
             Frame frame = Frame.ofPixels(input.width(), input.rows());
             try (Engine vector = VectorEngines.open(2)) {
                 long allocated = Long.MAX_VALUE;

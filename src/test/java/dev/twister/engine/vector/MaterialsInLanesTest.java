@@ -10,6 +10,7 @@ import dev.twister.oracle.LitScene;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.RandomScenes;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -31,8 +32,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Glass, metals, rough surfaces, textures and the lens in lanes equal the scalar kernel's, in random scenes and also
- * with cameras inside glass.
+ * Glass, metals, rough surfaces, textures, the lens and traced paths in lanes equal the scalar kernel's, in random
+ * scenes and also with cameras inside glass.
  */
 final class MaterialsInLanesTest {
     private static final int NEVER_WALK = Integer.MAX_VALUE;
@@ -46,7 +47,13 @@ final class MaterialsInLanesTest {
         GLASS,
         METALS,
         LENS,
-        ALL
+        ALL,
+        /** All of them, by path tracing. */
+        PATHS;
+
+        boolean has(Kind part) {
+            return this == part || this == ALL || this == PATHS;
+        }
     }
 
     static Stream<Object[]> widthsAndKinds() {
@@ -87,12 +94,14 @@ final class MaterialsInLanesTest {
             addInsideAndBeside(spheres, spheres.getFirst());
         }
         Camera camera = plain.camera();
-        if (kind == Kind.LENS || kind == Kind.ALL) {
+        if (kind.has(Kind.LENS)) {
             camera = camera.withAperture(0.3 * random.nextDouble()).withFocusDistance(1 + 9 * random.nextDouble());
         }
         Scene scene = plain.withCamera(camera)
                 .withSpheres(spheres)
-                .withGround(plain.ground().withMaterial(material(plain.ground().material(), random, kind)));
+                .withGround(plain.ground().withMaterial(material(plain.ground().material(), random, kind)))
+                .withRendering(
+                        plain.rendering().withIntegrator(kind == Kind.PATHS ? Integrator.PATH : Integrator.WHITTED));
         return World.of(scene, new SceneImages(lit.sky(), textures(scene, random)))
                 .snapshot();
     }
@@ -109,17 +118,17 @@ final class MaterialsInLanesTest {
 
     private static Material material(Material plain, Random random, Kind kind) {
         Material material = plain;
-        if (random.nextBoolean() && (kind == Kind.TEXTURES || kind == Kind.ALL)) {
+        if (random.nextBoolean() && kind.has(Kind.TEXTURES)) {
             material = material.withTexture(FILE);
         }
-        if (random.nextBoolean() && (kind == Kind.ROUGH || kind == Kind.ALL)) {
+        if (random.nextBoolean() && kind.has(Kind.ROUGH)) {
             material = material.withRoughness(random.nextInt(4) == 0 ? 1 : random.nextDouble());
         }
-        if (random.nextBoolean() && (kind == Kind.GLASS || kind == Kind.ALL)) {
+        if (random.nextBoolean() && kind.has(Kind.GLASS)) {
             material = material.withTransmission(random.nextBoolean() ? 1 : random.nextDouble())
                     .withIor(random.nextInt(5) == 0 ? 1 : 1 + 3 * random.nextDouble());
         }
-        if (random.nextBoolean() && (kind == Kind.METALS || kind == Kind.ALL)) {
+        if (random.nextBoolean() && kind.has(Kind.METALS)) {
             material = material.withMetallic(random.nextBoolean() ? 1 : random.nextDouble());
         }
         return material;

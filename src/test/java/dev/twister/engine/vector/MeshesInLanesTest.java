@@ -15,6 +15,7 @@ import dev.twister.oracle.RandomMeshes;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
@@ -64,13 +65,25 @@ class MeshesInLanesTest {
         assertSame(WidthLoader.openDeclining(bits, 2, crowd, body -> body % 2 == 1), SCENES / 4);
     }
 
+    @ParameterizedTest(name = "{0} bits, crowds from {1} on")
+    @MethodSource("widthsAndWays")
+    void tracedPathsAmongMeshesAreTheKernels(int bits, int crowd) {
+        assertSame(WidthLoader.openForCrowds(bits, 2, crowd), SCENES / 2, Integrator.PATH);
+    }
+
     private static void assertSame(Engine opened, int scenes) {
+        assertSame(opened, scenes, Integrator.WHITTED);
+    }
+
+    private static void assertSame(Engine opened, int scenes, Integrator integrator) {
         int pixels = 0;
         int differing = 0;
         try (Engine engine = opened) {
             for (int seed = 0; seed < scenes; seed++) {
                 LitScene scene = RandomMeshes.scene(new Random(seed), 3);
-                PictureDifference difference = difference(engine, scene.world().snapshot());
+                World world = scene.world();
+                world.setSettings(world.settings().withIntegrator(integrator));
+                PictureDifference difference = difference(engine, world.snapshot());
                 pixels += difference.pixels();
                 differing += difference.differing().length;
             }

@@ -61,8 +61,7 @@ public final class Declined {
         }
         int toneMap = (int) input.view().frame()[Layout.TONE_MAP];
         frame = input.aspect() != Aspect.FULL
-                || input.tracesPaths()
-                || input.hasSeveralLights()
+                || (input.hasSeveralLights() && !input.tracesPaths())
                 || (input.variant(false) & Variant.MASKS) != 0
                 || toneMap < Tone.CLAMP
                 || toneMap > Tone.ACES

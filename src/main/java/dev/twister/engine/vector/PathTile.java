@@ -1,0 +1,129 @@
+package dev.twister.engine.vector;
+
+import dev.twister.engine.JvmPath;
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Intersection;
+import dev.twister.kernel.Layout;
+import java.util.Arrays;
+
+/**
+ * The traced paths of a tile, ray by ray. Lanes find the closest hits of all current rays while these fill a packet;
+ * the scalar kernel does everything else.
+ */
+final class PathTile {
+    private final TileBench bench;
+    private final BounceRenderer bounces;
+    private final JvmPath[] paths = new JvmPath[Tile.SIZE];
+
+    /** The pixels whose paths go on, in the order of the tile. */
+    private final int[] alive = new int[Tile.SIZE];
+
+    private int count;
+
+    /** Shares the tile and the hits of the same thread. */
+    PathTile(TileBench bench, BounceRenderer bounces) {
+        this.bench = bench;
+        this.bounces = bounces;
+        float[] scratch = new float[Layout.LAYERED_SCRATCH_LENGTH];
+        Arrays.setAll(paths, pixel -> new JvmPath(scratch));
+    }
+
+    /** Renders the tile's pixels that lie in the frame. */
+    void draw(Drawing drawing) {
+        Tile tile = bench.tile;
+        int variant = drawing.input.variant(drawing.frame.isLinear());
+        for (JvmPath path : paths) {
+            path.blacken();
+        }
+        for (int sample = 0; sample < drawing.pixelSamples; sample++) {
+            start(drawing, tile, sample);
+            for (int ray = 0; count >= Lanes.COUNT; ray++) {
+                findHits(drawing, tile, ray);
+                endRays(drawing, tile, variant);
+            }
+            for (int k = 0; k < count; k++) {
+                paths[alive[k]].finish(drawing.input, variant);
+            }
+        }
+        for (int pixel = 0; pixel < Tile.SIZE; pixel++) {
+            if (isInside(drawing, tile, pixel)) {
+                paths[pixel].store(
+                        drawing.input,
+                        drawing.frame,
+                        tile.left + Tile.column(pixel),
+                        tile.top + Tile.row(pixel),
+                        variant);
+            }
+        }
+    }
+
+    private static boolean isInside(Drawing drawing, Tile tile, int pixel) {
+        return tile.left + Tile.column(pixel) < drawing.width && tile.top + Tile.row(pixel) < drawing.rows;
+    }
+
+    private void start(Drawing drawing, Tile tile, int sample) {
+        count = 0;
+        for (int pixel = 0; pixel < Tile.SIZE; pixel++) {
+            if (isInside(drawing, tile, pixel)) {
+                paths[pixel].start(drawing.input, tile.left + Tile.column(pixel), tile.top + Tile.row(pixel), sample);
+                alive[count] = pixel;
+                count++;
+            }
+        }
+    }
+
+    private void findHits(Drawing drawing, Tile tile, int ray) {
+        float[] t = tile.values;
+        int packets = (count + Lanes.COUNT - 1) / Lanes.COUNT;
+        tile.live.clear();
+        for (int packet = 0; packet < packets; packet++) {
+            tile.live.add(packet * Lanes.COUNT);
+        }
+        for (int place = 0; place < packets * Lanes.COUNT; place++) {
+            t[place + Tile.THROUGHPUT] = place < count ? 1f : 0f;
+        }
+        for (int place = 0; place < count; place++) {
+            float[] path = paths[alive[place]].floats();
+            for (int axis = 0; axis < 3; axis++) {
+                t[place + Tile.ORIGIN_X + axis * Tile.SIZE] = path[Layout.ORIGIN + axis];
+                t[place + Tile.DIRECTION_X + axis * Tile.SIZE] = path[Layout.DIRECTION + axis];
+            }
+            t[place + Tile.LEAVING] = path[Layout.LEAVING];
+            t[place + Tile.LEAVING_TRIANGLE] = path[Layout.LEAVING_TRIANGLE];
+            t[place + Tile.INSIDE] = path[Layout.INSIDE];
+        }
+        if (ray == 0 && !drawing.crowded && !drawing.lens) {
+            bench.choices.cullViewRays(drawing, tile);
+        }
+        bounces.findHits(drawing, tile, ray, false);
+    }
+
+    private void endRays(Drawing drawing, Tile tile, int variant) {
+        float[] t = tile.values;
+        int kept = 0;
+        for (int place = 0; place < count; place++) {
+            int pixel = alive[place];
+            float[] path = paths[pixel].floats();
+            int hit = (int) t[place + Tile.HIT];
+            path[Layout.DISTANCE] = hit == Layout.NOTHING ? Intersection.MISS : t[place + Tile.DISTANCE];
+            path[Layout.INSTANCE] = t[place + Tile.INSTANCE];
+            path[Layout.TRIANGLE] = t[place + Tile.TRIANGLE];
+            paths[pixel].end(drawing.input, hit, variant);
+            if (isInGlass(drawing, hit)) {
+                paths[pixel].finish(drawing.input, variant);
+            }
+            if (paths[pixel].goesOn()) {
+                alive[kept] = pixel;
+                kept++;
+            }
+        }
+        count = kept;
+    }
+
+    /** Whether the path may be inside a body whose far side lanes do not see: one that transmits, in a crowd. */
+    private static boolean isInGlass(Drawing drawing, int hit) {
+        return drawing.crowded && hit > Layout.NOTHING && drawing.looks.transmits(hit);
+    }
+}

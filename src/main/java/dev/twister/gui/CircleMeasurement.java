@@ -1,0 +1,126 @@
+package dev.twister.gui;
+
+import dev.twister.bench.Statistics;
+import dev.twister.bench.WindowRates;
+import dev.twister.engine.auto.FastestEngine;
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.ResolutionMode;
+import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Sphere;
+import dev.twister.world.CameraPath;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import javafx.application.ConditionalFeature;
+import javafx.application.Platform;
+import javafx.stage.Screen;
+
+/**
+ * Moves the camera on a circle around the scene, at 720p, and notes when pictures are shown. Used by JavaFX's thread.
+ */
+final class CircleMeasurement {
+    private static final double TURN_SECONDS = 10;
+
+    /** The chosen engine may compile its kernel for long, or fail. */
+    private static final double LONGEST_WARM_UP_SECONDS = 60;
+
+    private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
+
+    private final Studio studio;
+    private final Camera camera;
+    private final List<Sphere> spheres;
+    private final double warmUpSeconds;
+    private final double seconds;
+    private final Consumer<Optional<WindowRates>> whenDone;
+    private final long beginNanos = System.nanoTime();
+    private final List<Long> shownNanos = new ArrayList<>();
+    private Optional<DrawnPicture> first = Optional.empty();
+    private Optional<DrawnPicture> last = Optional.empty();
+    private int pulses;
+    private boolean warm;
+    private double measuredSince;
+    private boolean done;
+
+    /**
+     * Begins; {@link #pulse} is to be called in every pulse.
+     *
+     * @param warmUpSeconds before the first picture that counts
+     * @param seconds of the measurement
+     * @param whenDone told once; empty where fewer than two pictures were shown
+     */
+    CircleMeasurement(Studio studio, double warmUpSeconds, double seconds, Consumer<Optional<WindowRates>> whenDone) {
+        this.studio = studio;
+        this.warmUpSeconds = warmUpSeconds;
+        this.seconds = seconds;
+        this.whenDone = whenDone;
+        camera = studio.scene().camera();
+        spheres = studio.scene().spheres();
+        studio.refiningProperty().set(false);
+        studio.setResolution(ResolutionMode.HD);
+    }
+
+    void pulse(long startNanos) {
+        if (done) {
+            return;
+        }
+        double elapsed = (startNanos - beginNanos) / NANOS_PER_SECOND;
+        studio.moveCamera(_ -> CameraPath.onCircle(camera, spheres, elapsed / TURN_SECONDS));
+        if (!warm) {
+            warm = elapsed > warmUpSeconds && (isReady() || elapsed > LONGEST_WARM_UP_SECONDS);
+            measuredSince = elapsed;
+            return;
+        }
+        pulses++;
+        studio.pictureProperty().get().filter(DrawnPicture::isWhole).ifPresent(picture -> note(picture, startNanos));
+        if (elapsed > measuredSince + seconds) {
+            done = true;
+            whenDone.accept(last.filter(_ -> shownNanos.size() > 1).map(this::rates));
+        }
+    }
+
+    /** Whether the chosen engine renders, in the whole size. */
+    private boolean isReady() {
+        String chosen = studio.engineProperty().get().offer().id();
+        return studio.pictureProperty()
+                .get()
+                .filter(DrawnPicture::isWhole)
+                .filter(picture -> picture.engine().equals(chosen) || chosen.equals(FastestEngine.AUTO))
+                .isPresent();
+    }
+
+    private void note(DrawnPicture picture, long nanos) {
+        if (last.filter(before -> before.number() == picture.number()).isEmpty()) {
+            shownNanos.add(nanos);
+            first = first.or(() -> Optional.of(picture));
+            last = Optional.of(picture);
+        }
+    }
+
+    private WindowRates rates(DrawnPicture newest) {
+        DrawnPicture oldest = first.orElse(newest);
+        long[] nanos = new long[shownNanos.size() - 1];
+        for (int i = 0; i < nanos.length; i++) {
+            nanos[i] = shownNanos.get(i + 1) - shownNanos.get(i);
+        }
+        Screen screen = Screen.getPrimary();
+        return new WindowRates(
+                newest.engine(),
+                newest.device(),
+                studio.scene()
+                        .rendering()
+                        .withSize(newest.frame().width(), newest.frame().height()),
+                Statistics.ofNanos(nanos),
+                (newest.number() - oldest.number())
+                        * NANOS_PER_SECOND
+                        / Math.max(1, newest.finishedNanos() - oldest.finishedNanos()),
+                new WindowRates.Display(
+                        (int) screen.getBounds().getWidth(),
+                        (int) screen.getBounds().getHeight(),
+                        screen.getOutputScaleX(),
+                        Platform.isSupported(ConditionalFeature.SCENE3D),
+                        pulses / seconds));
+    }
+}

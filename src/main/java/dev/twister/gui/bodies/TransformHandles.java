@@ -1,0 +1,172 @@
+package dev.twister.gui.bodies;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.Axis;
+import dev.twister.gui.model.AxisHandle;
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyTransform.Mode;
+import dev.twister.gui.model.Projection;
+import dev.twister.gui.model.RotationRing;
+import dev.twister.gui.picture.PicturePlace;
+import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Vector3;
+import java.util.Comparator;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javafx.css.PseudoClass;
+import javafx.geometry.Point2D;
+import javafx.scene.Group;
+import javafx.scene.shape.Polyline;
+import javafx.scene.shape.Rectangle;
+
+/**
+ * Draws rings at the active body that rotate the selected bodies about an axis, and a box that scales them. Shown
+ * beside the {@link AxisHandles}; there are no rings where a rotation changes nothing.
+ */
+public final class TransformHandles extends Group {
+    private static final PseudoClass POINTED = PseudoClass.getPseudoClass("pointed");
+
+    /** Of the rings, in the view's units. */
+    private static final double RADIUS = 50;
+
+    /** From the body's middle to the box, to the right and down. */
+    private static final double BOX_PLACE = 58;
+
+    private static final double BOX = 10;
+
+    /** Distance from which the pointer grabs a handle. */
+    private static final double REACH = 6;
+
+    private final PictureView view;
+    private final Studio studio;
+    private final AxisHandles arrows;
+    private final Map<Axis, Ring> rings = new EnumMap<>(Axis.class);
+    private final Rectangle box = new Rectangle(BOX, BOX);
+    private List<RotationRing> shown = List.of();
+    private Optional<Point2D> middle = Optional.empty();
+
+    /**
+     * A handle of that kind.
+     *
+     * @param axis of a rotation; empty for the box
+     */
+    record Handle(Mode mode, Optional<Axis> axis) {}
+
+    private static final class Ring extends Group {
+        private final Polyline shade = new Polyline();
+        private final Polyline line = new Polyline();
+
+        Ring(Axis axis) {
+            setId("ring-" + axis.label());
+            setAccessibleText("Rotates about " + axis.label());
+            shade.getStyleClass().add("handle-shade");
+            line.getStyleClass().addAll("handle", "axis-" + axis.label());
+            getChildren().addAll(shade, line);
+        }
+
+        void place(List<AxisHandle.Point> points) {
+            List<Double> coordinates = points.stream()
+                    .flatMap(point -> Stream.of(point.x(), point.y()))
+                    .toList();
+            shade.getPoints().setAll(coordinates);
+            line.getPoints().setAll(coordinates);
+        }
+    }
+
+    public TransformHandles(PictureView view, Studio studio, AxisHandles arrows) {
+        this.view = view;
+        this.studio = studio;
+        this.arrows = arrows;
+        setManaged(false);
+        for (Axis axis : Axis.values()) {
+            Ring ring = new Ring(axis);
+            rings.put(axis, ring);
+            getChildren().add(ring);
+        }
+        box.setId("scale-handle");
+        box.setAccessibleText("Scales");
+        box.getStyleClass().add("scale-handle");
+        getChildren().add(box);
+        show(Optional.empty(), List.of());
+        arrows.setOnRefresh(this::refresh);
+    }
+
+    /** The handle at a place of the view; arrows go first. */
+    Optional<Handle> handleAt(double x, double y) {
+        if (arrows.axisAt(x, y).isPresent()) {
+            return Optional.empty();
+        }
+        boolean atBox =
+                middle.filter(_ -> box.getBoundsInParent().contains(x, y)).isPresent();
+        return atBox
+                ? Optional.of(new Handle(Mode.SCALE, Optional.empty()))
+                : shown.stream()
+                        .filter(ring -> ring.distance(x, y) <= REACH)
+                        .min(Comparator.comparingDouble(ring -> ring.distance(x, y)))
+                        .map(ring -> new Handle(Mode.ROTATE, Optional.of(ring.axis())));
+    }
+
+    /** Highlights the handle that is grabbed or would be. */
+    void point(Optional<Handle> pointed) {
+        rings.forEach((axis, ring) -> ring.line.pseudoClassStateChanged(
+                POINTED, pointed.flatMap(Handle::axis).equals(Optional.of(axis))));
+        box.pseudoClassStateChanged(
+                POINTED, pointed.filter(handle -> handle.mode() == Mode.SCALE).isPresent());
+    }
+
+    private void refresh(Optional<Vector3> body) {
+        Optional<DrawnPicture> picture = studio.pictureProperty().get();
+        Optional<Projection> projection = picture.map(drawn -> Projection.of(drawn.input()));
+        PicturePlace place = view.place();
+        double pixels =
+                place.toPicture(RADIUS, 0).getX() - place.toPicture(0, 0).getX();
+        Optional<Point2D> seen = body.flatMap(at -> projection.map(to -> to.point(at)))
+                .filter(pixel -> pixel.length > 0)
+                .map(pixel -> place.toView(pixel[0], pixel[1]));
+        List<RotationRing> turning = body
+                .filter(_ -> turns())
+                .flatMap(at -> projection.map(to -> RotationRing.of(to, at, pixels)))
+                .orElse(List.of())
+                .stream()
+                .map(ring -> new RotationRing(
+                        ring.axis(),
+                        ring.points().stream()
+                                .map(point -> inView(place, point))
+                                .toList()))
+                .toList();
+        // Setting the same places would make JavaFX paint again.
+        if (!seen.equals(middle) || !turning.equals(shown)) {
+            show(seen, turning);
+        }
+    }
+
+    /** Whether a rotation changes the selected bodies: one sphere alone stays as it is. */
+    private boolean turns() {
+        int active = studio.selection().active();
+        return BodyEdits.isMesh(studio.scene(), active)
+                || studio.selection().bodies().count() > 1;
+    }
+
+    private void show(Optional<Point2D> at, List<RotationRing> turning) {
+        middle = at;
+        shown = turning;
+        rings.values().forEach(ring -> ring.setVisible(false));
+        for (RotationRing seen : turning) {
+            Ring ring = rings.get(seen.axis());
+            ring.place(seen.points());
+            ring.setVisible(true);
+        }
+        box.setVisible(at.isPresent());
+        at.ifPresent(place -> box.relocate(
+                Math.rint(place.getX() + BOX_PLACE - BOX / 2), Math.rint(place.getY() + BOX_PLACE - BOX / 2)));
+    }
+
+    private static AxisHandle.Point inView(PicturePlace place, AxisHandle.Point pixel) {
+        Point2D seen = place.toView(pixel.x(), pixel.y());
+        return new AxisHandle.Point(seen.getX(), seen.getY());
+    }
+}
