@@ -23,6 +23,7 @@ public final class JvmKernel {
         View view = input.view();
         Bodies bodies = input.bodies();
         int variant = input.variant(frame.isLinear());
+        int[] argb = frame.argb();
         for (int column = firstColumn; column < endColumn; column++) {
             PixelKernel.draw(
                     column,
@@ -36,7 +37,7 @@ public final class JvmKernel {
                     input.images(),
                     variant);
             PixelKernel.store(
-                    column, row, frame.argb(), frame.radiance(), frame.layers(), path, scratch, view.frame(), variant);
+                    column, row, argb, frame.radiance(), frame.layers(), path, scratch, view.frame(), variant);
         }
     }
 

@@ -1,10 +1,13 @@
 package dev.twister.image;
 
+import java.nio.IntBuffer;
+import java.util.Optional;
+
 /**
  * The pixels an engine fills, either 8-bit ARGB or linear radiance, never both.
  *
  * <p>The arrays are not copied: they may be read after the engine's {@code render} has returned, until the next call
- * with the same frame.
+ * with the same frame. Pixels of a device are outside the heap until somebody asks for the array.
  */
 public final class Frame {
     private static final int CHANNELS = 3;
@@ -14,14 +17,17 @@ public final class Frame {
     private final int width;
     private final int height;
     private final int[] argb;
+    private final IntBuffer inArray;
     private final float[] radiance;
     private final float[] layers;
+    private volatile Optional<IntBuffer> outside = Optional.empty();
     private FrameTimes times = FrameTimes.NONE;
 
     private Frame(int width, int height, int[] argb, float[] radiance, float[] layers) {
         this.width = width;
         this.height = height;
         this.argb = argb;
+        inArray = IntBuffer.wrap(argb);
         this.radiance = radiance;
         this.layers = layers;
     }
@@ -61,7 +67,7 @@ public final class Frame {
                         band.radiance.length);
             }
         } else {
-            System.arraycopy(band.argb, 0, argb, first, band.argb.length);
+            System.arraycopy(band.argb(), 0, argb(), first, band.argb.length);
         }
     }
 
@@ -80,7 +86,7 @@ public final class Frame {
                         copy.radiance.length);
             }
         } else {
-            System.arraycopy(argb, first, copy.argb, 0, copy.argb.length);
+            System.arraycopy(argb(), first, copy.argb, 0, copy.argb.length);
         }
         copy.times = times;
         return copy;
@@ -99,9 +105,32 @@ public final class Frame {
         return argb.length == 0;
     }
 
-    /** The pixels as 0xAARRGGBB; empty in a linear frame. */
+    /** The pixels as 0xAARRGGBB; empty in a linear frame. Pixels that are outside the heap are moved into the array. */
     public int[] argb() {
+        if (outside.isPresent()) {
+            moveIntoArray();
+        }
         return argb;
+    }
+
+    private synchronized void moveIntoArray() {
+        outside.ifPresent(pixels -> pixels.get(0, argb));
+        outside = Optional.empty();
+    }
+
+    /** The pixels where they are, without a copy: the same buffer as long as they stay there. */
+    public IntBuffer pixels() {
+        return outside.orElse(inArray);
+    }
+
+    /**
+     * Sets the pixels without copying them, in a frame that is not linear.
+     *
+     * @param buffer outside the heap; keeps its content until the next render into this frame, or for as long as
+     *     somebody has the frame
+     */
+    public void setPixels(IntBuffer buffer) {
+        outside = Optional.of(buffer);
     }
 
     /** The linear radiance, three floats per pixel; empty in a frame of pixels. */

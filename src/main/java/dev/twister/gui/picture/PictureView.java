@@ -42,8 +42,14 @@ public final class PictureView extends Pane {
     private record ShownFrame(PixelBuffer<IntBuffer> pixels, WritableImage image) {
         static ShownFrame of(Frame frame) {
             PixelBuffer<IntBuffer> pixels = new PixelBuffer<>(
-                    frame.width(), frame.height(), IntBuffer.wrap(frame.argb()), PixelFormat.getIntArgbPreInstance());
+                    frame.width(), frame.height(), frame.pixels(), PixelFormat.getIntArgbPreInstance());
             return new ShownFrame(pixels, new WritableImage(pixels));
+        }
+
+        /** Whether the frame's pixels are where they were: an engine for a device has them outside the heap. */
+        @SuppressWarnings("ReferenceEquality") // equal buffers may be elsewhere
+        boolean showsPixelsOf(Frame frame) {
+            return pixels.getBuffer() == frame.pixels();
         }
     }
 
@@ -151,7 +157,8 @@ public final class PictureView extends Pane {
         onScreen = Optional.of(frame);
         // Frames of another size do not come back.
         frames.keySet().removeIf(old -> old.width() != frame.width() || old.height() != frame.height());
-        ShownFrame shown = frames.computeIfAbsent(frame, ShownFrame::of);
+        ShownFrame shown = frames.compute(
+                frame, (_, known) -> known != null && known.showsPixelsOf(frame) ? known : ShownFrame.of(frame));
         shown.pixels().updateBuffer(_ -> null);
         Image before = view.getImage();
         view.setImage(shown.image());

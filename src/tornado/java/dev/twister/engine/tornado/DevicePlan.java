@@ -3,8 +3,6 @@ package dev.twister.engine.tornado;
 import dev.twister.engine.EngineException;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
-import dev.twister.kernel.Layout;
-import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import uk.ac.manchester.tornado.api.GridScheduler;
 import uk.ac.manchester.tornado.api.TaskGraph;
@@ -33,18 +31,12 @@ final class DevicePlan implements AutoCloseable {
      */
     private static final int FEW_BODIES = 4096;
 
-    /** Length of the kernel's frame with the most samples. */
-    private static final int LONGEST_FRAME = Layout.DISC
-            + 2 * Rendering.MAX_SHADOW_SAMPLES
-            + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL
-            + Layout.MOST_TILES;
-
     private final FrameInput fixed;
     private final boolean linear;
     private final WorkGroups groups;
     private final WorkerGrid2D grid;
     private final DeviceOutput output;
-    private final float[] view = new float[LONGEST_FRAME];
+    private final float[] view = new float[TornadoKernel.FIRST_PIXEL + 1];
     private final float[] bodies;
     private final float[] looks;
     private final TornadoExecutionPlan plan;
@@ -131,6 +123,8 @@ final class DevicePlan implements AutoCloseable {
     FrameTimes draw(FrameInput input, Frame frame) {
         long start = System.nanoTime();
         put(input.view().frame(), view);
+        int firstPixel = output.firstPixel(frame);
+        view[TornadoKernel.FIRST_PIXEL] = firstPixel;
         put(input.bodies().floats(), bodies);
         if (sendsLooks(input)) {
             put(input.bodies().looks(), looks);
@@ -145,9 +139,9 @@ final class DevicePlan implements AutoCloseable {
         if (kernelNanos <= 0) {
             throw new EngineException("the device ran no kernel: TornadoVM reports " + kernelNanos + " ns");
         }
-        long outNanos = output.read(result, input, frame);
+        long outNanos = output.read(result, input, frame, firstPixel);
         if (!proven) {
-            output.requireDrawn(input);
+            output.requireDrawn(input, firstPixel);
             proven = true;
         }
         groups.measured(kernelNanos, (long) input.width() * input.rows());

@@ -4,6 +4,7 @@ import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.kernel.Variant;
+import dev.twister.scene.Rendering;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 import uk.ac.manchester.tornado.api.types.arrays.FloatArray;
@@ -13,6 +14,12 @@ import uk.ac.manchester.tornado.api.types.arrays.IntArray;
 public final class TornadoKernel implements Supplier<DrawTask> {
     /** Scratch length for few plain spheres, which fit one leaf, so no node waits. */
     static final int FEW_SCRATCH = Layout.CANDIDATE_STRIDE * 32;
+
+    /** Place in {@code frame}, behind all else, of the number of the first pixel in {@code pixels}. */
+    static final int FIRST_PIXEL = Layout.DISC
+            + 2 * Rendering.MAX_SHADOW_SAMPLES
+            + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL
+            + Layout.MOST_TILES;
 
     @Override
     public DrawTask get() {
@@ -24,7 +31,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
      * the arrays, which are those of {@link dev.twister.world.FrameInput}, so that other sizes and numbers of bodies
      * need no other code.
      *
-     * @param pixels at least {@code width * rows} ints if the output is ARGB, else one
+     * @param pixels at least {@code width * rows} ints from {@link #FIRST_PIXEL} on if the output is ARGB, else one
      * @param radiance at least {@code 3 * width * rows} floats if the output is linear, else one
      * @param layers at least {@code 3 * width * rows} floats for each further layer
      * @param variant bits of {@link Variant}
@@ -63,7 +70,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                     radiance.set(3 * pixel + 2, path[Layout.RADIANCE + 2] * average);
                     PixelKernel.storeLayers(pixel, layers, path, scratch, frame, variant);
                 } else {
-                    pixels.set(pixel, PixelKernel.argb(path, frame));
+                    pixels.set((int) frame[FIRST_PIXEL] + pixel, PixelKernel.argb(path, frame));
                 }
             }
         }
