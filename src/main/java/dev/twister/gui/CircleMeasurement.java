@@ -115,7 +115,7 @@ final class CircleMeasurement {
                 newest.device(),
                 studio.scene()
                         .rendering()
-                        .withSize(newest.frame().width(), newest.frame().height()),
+                        .withSize(newest.request().width(), newest.request().height()),
                 Statistics.ofNanos(nanos),
                 (newest.number() - oldest.number())
                         * NANOS_PER_SECOND

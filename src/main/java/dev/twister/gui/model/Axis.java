@@ -28,7 +28,11 @@ public enum Axis {
 
     /** The one after it; Z is followed by X. */
     Axis next() {
-        return values()[(ordinal() + 1) % values().length];
+        return switch (this) {
+            case X -> Y;
+            case Y -> Z;
+            case Z -> X;
+        };
     }
 
     /** A vector with another part along this axis. */
