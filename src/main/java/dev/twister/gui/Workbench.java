@@ -189,7 +189,7 @@ final class Workbench implements AutoCloseable {
         menu.check(Command.PLAY, studio.film().playingProperty());
         menu.check(Command.FILM, film.visibleProperty());
         root.setTop(menu);
-        root.setBottom(new VBox(film, new DopeSheet(studio, film.lengthProperty(), film::hold), root.getBottom()));
+        root.setBottom(new VBox(film, new DopeSheet(studio, film), root.getBottom()));
         root.setRight(new HBox(new PanelEdge(panel, settings), panel));
         AxisHandles handles = new AxisHandles(picture, studio, paths);
         TransformHandles transforms = new TransformHandles(picture, studio, handles);

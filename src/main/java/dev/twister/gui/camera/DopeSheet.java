@@ -11,36 +11,32 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.function.Consumer;
-import javafx.beans.property.ReadOnlyDoubleProperty;
+import javafx.beans.property.DoubleProperty;
+import javafx.beans.property.SimpleDoubleProperty;
+import javafx.geometry.Insets;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
 /** The keyframes of everything as marks, one row for each thing that has some. */
 public final class DopeSheet extends ScrollPane {
     private final Studio studio;
-    private final ReadOnlyDoubleProperty seconds;
-    private final Consumer<Boolean> hold;
+    private final FilmBar film;
     private final VBox rows = new VBox();
     private final List<KeyframeLane> lanes = new ArrayList<>();
+    private final DoubleProperty titleWidth = new SimpleDoubleProperty();
     private Set<KeyMark> selected = Set.of();
     private Set<KeyMark> copied = Set.of();
     private List<TrackTarget> shown = List.of();
 
-    /**
-     * Rows below the film bar.
-     *
-     * @param seconds length of the rows
-     * @param hold told whether the rows' length must stay, as keyframes are dragged
-     */
-    public DopeSheet(Studio studio, ReadOnlyDoubleProperty seconds, Consumer<Boolean> hold) {
+    /** Rows below a film bar, under its time line. */
+    public DopeSheet(Studio studio, FilmBar film) {
         this.studio = studio;
-        this.seconds = seconds;
-        this.hold = hold;
+        this.film = film;
         setId("dope-sheet");
         getStyleClass().add("dope-sheet");
         setFitToWidth(true);
@@ -51,7 +47,18 @@ public final class DopeSheet extends ScrollPane {
         studio.sceneProperty().subscribe(this::follow);
         studio.film().shownProperty().subscribe(_ -> follow(studio.scene()));
         studio.film().secondsProperty().subscribe(_ -> draw());
-        seconds.subscribe(_ -> draw());
+        film.lengthProperty().subscribe(_ -> draw());
+        film.line().layoutXProperty().subscribe(_ -> align());
+        film.line().widthProperty().subscribe(_ -> align());
+        rows.widthProperty().subscribe(_ -> align());
+    }
+
+    /** Puts the rows' marks under those of the time line. */
+    private void align() {
+        Region line = film.line();
+        double left = film.sceneToLocal(rows.localToScene(0, 0)).getX();
+        titleWidth.set(Math.max(0, line.getLayoutX() - left));
+        rows.setPadding(new Insets(0, Math.max(0, left + rows.getWidth() - line.getLayoutX() - line.getWidth()), 0, 0));
     }
 
     /** The marks that are moved, copied and deleted together. */
@@ -66,7 +73,7 @@ public final class DopeSheet extends ScrollPane {
 
     /** Keeps the rows' length while keyframes are dragged. */
     void hold(boolean held) {
-        hold.accept(held);
+        film.hold(held);
     }
 
     void copySelected() {
@@ -113,11 +120,13 @@ public final class DopeSheet extends ScrollPane {
     }
 
     private void addRow(TrackTarget target) {
-        KeyframeLane lane = new KeyframeLane(this, studio, seconds, target);
+        KeyframeLane lane = new KeyframeLane(this, studio, film.lengthProperty(), target);
         lanes.add(lane);
         Label title = new Label();
         title.getStyleClass().add("dope-title");
         title.textProperty().bind(lane.titleProperty());
+        title.minWidthProperty().bind(titleWidth);
+        title.prefWidthProperty().bind(titleWidth);
         title.setTooltip(Tooltips.of("Click to select it; double-click to select all of its keyframes."));
         title.setOnMouseClicked(event -> {
             if (event.getClickCount() > 1) {

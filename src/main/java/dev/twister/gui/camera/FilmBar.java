@@ -30,6 +30,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
 /** The bar with the camera's keyframes on a time line, the present time, and buttons to set, delete and play. */
@@ -49,6 +50,7 @@ public final class FilmBar extends HBox {
     private final TextField time = new TextField();
     private final Slider slider = new Slider(0, SHORTEST_SECONDS, 0);
     private final KeyframeMarks marks;
+    private final VBox line;
     private final ComboBox<Listed> list = new ComboBox<>();
     private List<CameraKeyframe> shown = List.of();
     private boolean showing;
@@ -89,7 +91,7 @@ public final class FilmBar extends HBox {
         play = button(Command.PLAY, actions);
         delete = button(Command.DELETE_KEYFRAME, actions);
         marks = new KeyframeMarks(studio, slider);
-        VBox line = new VBox(marks, slider);
+        line = new VBox(marks, slider);
         line.setMinWidth(0);
         setHgrow(line, Priority.ALWAYS);
         time.setId("film-time");
@@ -131,7 +133,10 @@ public final class FilmBar extends HBox {
             }
         });
         DropDownKeys.install(list);
-        getChildren().addAll(play, time, new Label("s"), line, list, button(Command.SET_KEYFRAME, actions), delete);
+        HBox present = new HBox(play, time, new Label("s"));
+        present.getStyleClass().add("film-present");
+        present.setAlignment(Pos.CENTER_LEFT);
+        getChildren().addAll(present, line, list, button(Command.SET_KEYFRAME, actions), delete);
         getChildren().stream()
                 .filter(Button.class::isInstance)
                 .map(Button.class::cast)
@@ -141,13 +146,18 @@ public final class FilmBar extends HBox {
         studio.sceneProperty().subscribe(this::follow);
     }
 
+    /** The time line, which is in this bar. */
+    Region line() {
+        return line;
+    }
+
     /** Seconds from the left to the right end of the time line. */
-    public ReadOnlyDoubleProperty lengthProperty() {
+    ReadOnlyDoubleProperty lengthProperty() {
         return slider.maxProperty();
     }
 
     /** Keeps the length of the time line, or lets it follow the keyframes again. */
-    public void hold(boolean kept) {
+    void hold(boolean kept) {
         held = kept;
         showRange();
     }
