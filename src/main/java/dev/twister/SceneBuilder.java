@@ -69,7 +69,8 @@ public final class SceneBuilder {
     }
 
     /**
-     * Adds triangles: those of a file, of a {@link dev.twister.scene.Shape}, or {@link Triangles}, by {@link Mesh#of}.
+     * Adds triangles: those of a file, of a {@link dev.twister.scene.Shape}, or {@link dev.twister.scene.Triangles}, by
+     * {@link Mesh#of}.
      */
     public SceneBuilder mesh(Mesh mesh) {
         meshes.add(requireNonNull(mesh, "mesh"));
