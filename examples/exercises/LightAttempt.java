@@ -8,7 +8,8 @@ final class LightAttempt {
     private LightAttempt() {}
 
     /**
-     * Small lights in the middle of the cells of a grid over a level rectangle. Together they are as bright as one light.
+     * Small lights in the middle of the cells of a grid over a level rectangle. Together they are as bright as one
+     * light.
      *
      * @param center of the rectangle
      * @param width along x, in meters

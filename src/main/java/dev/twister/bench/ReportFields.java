@@ -85,6 +85,13 @@ final class ReportFields {
         });
     }
 
+    static void putMilliseconds(Map<String, Object> fields, Statistics times) {
+        fields.put("msMin", ReportNumbers.rounded(times.min()));
+        fields.put("msMedian", ReportNumbers.rounded(times.median()));
+        fields.put("msMean", ReportNumbers.rounded(times.mean()));
+        fields.put("msP95", ReportNumbers.rounded(times.p95()));
+    }
+
     private static void putTimes(Map<String, Object> fields, Measurement measurement) {
         Statistics times = measurement.times();
         fields.put("frames", times.frames());
@@ -93,10 +100,7 @@ final class ReportFields {
                 .setting()
                 .pathsPerSecond(times.fps())
                 .ifPresent(rate -> fields.put("samplesPerSecond", Math.round(rate)));
-        fields.put("msMin", ReportNumbers.rounded(times.min()));
-        fields.put("msMedian", ReportNumbers.rounded(times.median()));
-        fields.put("msMean", ReportNumbers.rounded(times.mean()));
-        fields.put("msP95", ReportNumbers.rounded(times.p95()));
+        putMilliseconds(fields, times);
         measurement.deviceTimes().ifPresent(device -> {
             fields.put("msKernel", ReportNumbers.rounded(device.kernel()));
             fields.put("msCopyIn", ReportNumbers.rounded(device.copyIn()));

@@ -68,10 +68,7 @@ public record WindowRates(
         fields.put("frames", times.frames());
         fields.put("fps", ReportNumbers.rounded(times.fps()));
         fields.put("renderedPerSecond", ReportNumbers.rounded(renderedPerSecond));
-        fields.put("msMin", ReportNumbers.rounded(times.min()));
-        fields.put("msMedian", ReportNumbers.rounded(times.median()));
-        fields.put("msMean", ReportNumbers.rounded(times.mean()));
-        fields.put("msP95", ReportNumbers.rounded(times.p95()));
+        ReportFields.putMilliseconds(fields, times);
         return fields;
     }
 

@@ -83,7 +83,8 @@ final class GuiCommand implements Callable<Integer> {
         OutputFile.check("--measure", file);
         Optional<WindowRates> rates = Gui.measure(first, engineId, shipped);
         if (rates.isEmpty()) {
-            throw new BadInputException("the window showed fewer than two pictures in 10 s; take a faster --engine");
+            throw new BadInputException(
+                    "the window was closed early or showed fewer than two pictures in 10 s; take a faster --engine");
         }
         rates.get().write(sceneName.orElse(FIRST_SCENE), file);
         spec.commandLine().getOut().println(file + ": " + rates.get().text());

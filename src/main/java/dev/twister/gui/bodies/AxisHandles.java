@@ -176,7 +176,7 @@ public final class AxisHandles extends Group {
                         : BodyExtent.of(scene, picture.meshes(), body).middle());
     }
 
-    private static AxisHandle.Point inView(PicturePlace place, AxisHandle.Point pixel) {
+    static AxisHandle.Point inView(PicturePlace place, AxisHandle.Point pixel) {
         Point2D seen = place.toView(pixel.x(), pixel.y());
         return new AxisHandle.Point(seen.getX(), seen.getY());
     }

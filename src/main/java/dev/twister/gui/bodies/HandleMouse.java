@@ -5,7 +5,6 @@ import dev.twister.gui.model.BodyTransform;
 import dev.twister.gui.model.BodyTransform.Mode;
 import dev.twister.gui.model.Projection;
 import dev.twister.gui.model.RotationRing;
-import dev.twister.gui.picture.PicturePlace;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
@@ -157,9 +156,7 @@ public final class HandleMouse {
 
     /** The pointer's place in the picture at the start; the present one may have more pixels. */
     private Point2D pixel(MouseEvent event, FrameInput input) {
-        PicturePlace seen = view.place();
         Point2D place = place(event);
-        Point2D now = seen.toPicture(place.getX(), place.getY());
-        return new Point2D(now.getX() * input.width() / seen.width(), now.getY() * input.height() / seen.height());
+        return view.place().toPicture(place.getX(), place.getY(), input);
     }
 }

@@ -135,7 +135,7 @@ public final class TransformHandles extends Group {
                 .map(ring -> new RotationRing(
                         ring.axis(),
                         ring.points().stream()
-                                .map(point -> inView(place, point))
+                                .map(point -> AxisHandles.inView(place, point))
                                 .toList()))
                 .toList();
         // Setting the same places would make JavaFX paint again.
@@ -163,10 +163,5 @@ public final class TransformHandles extends Group {
         box.setVisible(at.isPresent());
         at.ifPresent(place -> box.relocate(
                 Math.rint(place.getX() + BOX_PLACE - BOX / 2), Math.rint(place.getY() + BOX_PLACE - BOX / 2)));
-    }
-
-    private static AxisHandle.Point inView(PicturePlace place, AxisHandle.Point pixel) {
-        Point2D seen = place.toView(pixel.x(), pixel.y());
-        return new AxisHandle.Point(seen.getX(), seen.getY());
     }
 }

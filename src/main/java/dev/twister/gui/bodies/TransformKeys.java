@@ -6,7 +6,6 @@ import dev.twister.gui.model.BodyDrag;
 import dev.twister.gui.model.BodyTransform;
 import dev.twister.gui.model.BodyTransform.Mode;
 import dev.twister.gui.model.Projection;
-import dev.twister.gui.picture.PicturePlace;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.Studio;
 import dev.twister.kernel.Layout;
@@ -268,9 +267,7 @@ public final class TransformKeys {
 
     /** The pointer's place in the picture at the start; the present one may have more pixels. */
     private Point2D pixel(FrameInput input) {
-        PicturePlace place = view.place();
-        Point2D now = place.toPicture(pointer.getX(), pointer.getY());
-        return new Point2D(now.getX() * input.width() / place.width(), now.getY() * input.height() / place.height());
+        return view.place().toPicture(pointer.getX(), pointer.getY(), input);
     }
 
     private static Point2D middle(Held taken) {

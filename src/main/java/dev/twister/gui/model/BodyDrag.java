@@ -52,7 +52,7 @@ public final class BodyDrag {
     /** The same along an axis: where it comes nearest to the pointer's ray. The start where the axis is seen end on. */
     public Vector3 placeAlong(Axis axis, FrameInput input, double x, double y) {
         PointerRay ray = PointerRay.through(input, x, y);
-        Vector3 direction = new Vector3(ray.direction(0), ray.direction(1), ray.direction(2));
+        Vector3 direction = ray.direction();
         Vector3 away = place.minus(grip).minus(ray.along(0));
         double cosine = axis.of(direction);
         double across = 1 - cosine * cosine;

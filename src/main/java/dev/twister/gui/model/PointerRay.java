@@ -67,8 +67,7 @@ record PointerRay(float[] path, int body, Bodies bodies) {
                 input.bodies().meshes(),
                 input.variant(false));
         Vector3 normal = new Vector3(at[Layout.NORMAL], at[Layout.NORMAL + 1], at[Layout.NORMAL + 2]);
-        boolean away = normal.x() * direction(0) + normal.y() * direction(1) + normal.z() * direction(2) > 0;
-        return away ? normal.times(-1) : normal;
+        return normal.dot(direction()) > 0 ? normal.times(-1) : normal;
     }
 
     /** Meters to what it meets. */
@@ -79,6 +78,10 @@ record PointerRay(float[] path, int body, Bodies bodies) {
     /** One coordinate of the unit direction: 0 for x, 1 for y, 2 for z. */
     double direction(int axis) {
         return path[Layout.DIRECTION + axis];
+    }
+
+    Vector3 direction() {
+        return new Vector3(direction(0), direction(1), direction(2));
     }
 
     /** The point that number of meters along, in the scene. */

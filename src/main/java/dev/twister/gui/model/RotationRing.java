@@ -80,7 +80,7 @@ public record RotationRing(Axis axis, List<Point> points) {
      */
     public static OptionalDouble degrees(FrameInput input, Axis axis, Vector3 pivot, double x, double y) {
         PointerRay ray = PointerRay.through(input, x, y);
-        Vector3 direction = new Vector3(ray.direction(0), ray.direction(1), ray.direction(2));
+        Vector3 direction = ray.direction();
         double meters = axis.of(pivot.minus(ray.along(0))) / axis.of(direction);
         if (!(meters > 0 && Double.isFinite(meters))) {
             return OptionalDouble.empty();

@@ -1,5 +1,6 @@
 package dev.twister.gui.picture;
 
+import dev.twister.world.FrameInput;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 
@@ -16,6 +17,12 @@ public record PicturePlace(Bounds bounds, int width, int height) {
         return new Point2D(
                 (x - bounds.getMinX()) * width / bounds.getWidth(),
                 (y - bounds.getMinY()) * height / bounds.getHeight());
+    }
+
+    /** From the view's units to pixels of the same picture in another size. */
+    public Point2D toPicture(double x, double y, FrameInput other) {
+        Point2D place = toPicture(x, y);
+        return new Point2D(place.getX() * other.width() / width, place.getY() * other.height() / height);
     }
 
     /** From pixels of the picture to the view's units. */

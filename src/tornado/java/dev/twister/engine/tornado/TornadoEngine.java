@@ -34,7 +34,8 @@ final class TornadoEngine implements Engine {
         this.name = name;
         this.device = device;
         this.kernel = kernel;
-        groups = new WorkGroups(device.getDeviceType());
+        groups = new WorkGroups(
+                device.getDeviceType(), device.getPhysicalDevice().getDeviceMaxWorkGroupSize()[0]);
     }
 
     @Override

@@ -26,8 +26,17 @@ final class WorkGroups {
     /** Work-items of a group: columns and rows of the picture. */
     record Group(int columns, int rows) {}
 
-    WorkGroups(TornadoDeviceType type) {
-        groups = type == TornadoDeviceType.CPU ? OF_PROCESSORS : OF_GPUS;
+    /**
+     * The groups that a device takes.
+     *
+     * @param mostItems of a group on the device
+     */
+    WorkGroups(TornadoDeviceType type, long mostItems) {
+        List<Group> usual = type == TornadoDeviceType.CPU ? OF_PROCESSORS : OF_GPUS;
+        List<Group> fitting = usual.stream()
+                .filter(group -> group.columns() * group.rows() <= mostItems)
+                .toList();
+        groups = fitting.isEmpty() ? List.of(new Group(1, 1)) : fitting;
         nanosPerPixel = new double[groups.size()];
         Arrays.fill(nanosPerPixel, Double.POSITIVE_INFINITY);
     }
