@@ -34,7 +34,7 @@ final class WorkGroups {
     WorkGroups(TornadoDeviceType type, long mostItems) {
         List<Group> usual = type == TornadoDeviceType.CPU ? OF_PROCESSORS : OF_GPUS;
         List<Group> fitting = usual.stream()
-                .filter(group -> group.columns() * group.rows() <= mostItems)
+                .filter(group -> (long) group.columns() * group.rows() <= mostItems)
                 .toList();
         groups = fitting.isEmpty() ? List.of(new Group(1, 1)) : fitting;
         nanosPerPixel = new double[groups.size()];
