@@ -134,7 +134,7 @@ final class Workbench implements AutoCloseable {
         this.picture = picture;
         this.frameTimes = frameTimes;
         this.reading = reading;
-        settings = new SettingsKeeper(options.settings(), options.found(), studio::notice);
+        settings = new SettingsKeeper(options.settings(), options.found(), errands, studio::notice);
         Dialogs dialogs = new Dialogs(stage);
         saving = new SceneSaving(
                 studio, options.files(), options.shipped(), dialogs, settings, errands, this::takeTyped);
@@ -176,7 +176,7 @@ final class Workbench implements AutoCloseable {
         panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, tags, errands, actions);
         panel.foldAsKept(settings);
         HBox side = new HBox(panel);
-        panelWindow = new PanelWindow(stage, panel, side, settings);
+        panelWindow = new PanelWindow(stage, panel, side, picture, settings);
         side.getChildren().addFirst(new PanelEdge(panel, panelWindow.dockedProperty(), settings));
         menu = new MenuView(studio, settings, files, actions, bodies::insert);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));

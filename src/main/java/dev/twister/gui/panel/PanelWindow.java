@@ -38,12 +38,12 @@ public final class PanelWindow {
             KeyCode.KP_DOWN,
             KeyCode.KP_LEFT,
             KeyCode.KP_RIGHT,
-            KeyCode.ENTER,
             KeyCode.F10);
 
     private final Stage owner;
     private final Panel panel;
     private final Pane side;
+    private final Node picture;
     private final SettingsKeeper settings;
     private final StackPane holder = new StackPane();
     private final Scene scene = new Scene(holder, WIDTH, HEIGHT, Color.web("#1e1f22"));
@@ -56,11 +56,13 @@ public final class PanelWindow {
      *
      * @param owner the main window
      * @param side holds the panel while it is docked, as the last child
+     * @param picture of the main window
      */
-    public PanelWindow(Stage owner, Panel panel, Pane side, SettingsKeeper settings) {
+    public PanelWindow(Stage owner, Panel panel, Pane side, Node picture, SettingsKeeper settings) {
         this.owner = owner;
         this.panel = panel;
         this.side = side;
+        this.picture = picture;
         this.settings = settings;
         docked = floating.not().and(panel.visibleProperty());
         holder.setId("panel-window");
@@ -153,8 +155,9 @@ public final class PanelWindow {
     private void forward(KeyEvent event) {
         boolean alt = event.isAltDown() || event.getCode() == KeyCode.ALT;
         if (!alt && !OF_THE_PANEL.contains(event.getCode())) {
-            Node root = owner.getScene().getRoot();
-            Event.fireEvent(root, event);
+            // The picture takes keys of its own, while bodies are moved by them.
+            boolean toPicture = picture.equals(owner.getScene().getFocusOwner());
+            Event.fireEvent(toPicture ? picture : owner.getScene().getRoot(), event);
         }
     }
 }
