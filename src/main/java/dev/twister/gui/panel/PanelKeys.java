@@ -14,7 +14,11 @@ import javafx.scene.input.KeyEvent;
 public final class PanelKeys {
     private PanelKeys() {}
 
-    /** @param toPicture gives the picture the focus */
+    /**
+     * Lets Enter lead back to the picture.
+     *
+     * @param toPicture gives the picture the focus
+     */
     public static void leadBack(Panel panel, Runnable toPicture) {
         panel.addEventHandler(ActionEvent.ACTION, event -> {
             if (event.getTarget() instanceof TextField field && panel.isTaken(field)) {
