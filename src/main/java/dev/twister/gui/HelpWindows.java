@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import dev.twister.files.TwisterVersion;
 import dev.twister.gui.controls.Command;
+import dev.twister.gui.controls.OwnedWindows;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.panel.PanelSection;
 import java.util.ArrayList;
@@ -94,6 +95,7 @@ final class HelpWindows {
         scene.getStylesheets().setAll(owner.getScene().getStylesheets());
         Stage stage = new Stage();
         stage.initOwner(owner);
+        OwnedWindows.center(stage, owner);
         stage.setTitle(title);
         stage.setScene(scene);
         scene.addEventHandler(KeyEvent.KEY_PRESSED, event -> {

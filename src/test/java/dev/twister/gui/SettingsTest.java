@@ -1,6 +1,7 @@
 package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
@@ -157,6 +158,21 @@ class SettingsTest {
             assertThat(texts("about-page")).anyMatch(text -> text.contains("Apache License 2.0"));
             driver.type(KeyCode.ESCAPE);
             assertThat(helpWindows()).isEmpty();
+        }
+    }
+
+    @Test
+    void otherWindowsOpenOverTheMainOne() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            driver.run(() -> {
+                driver.stage.setX(300);
+                driver.stage.setY(200);
+            });
+            driver.typeWith(KeyCode.F1, KeyCode.SHIFT);
+            Window about = helpWindows().getFirst();
+            assertThat(WindowDriver.call(() -> about.getX() + about.getWidth() / 2))
+                    .isCloseTo(300 + WindowDriver.WIDTH / 2.0, within(1.0));
+            assertThat(WindowDriver.call(about::getY)).isNotNegative();
         }
     }
 

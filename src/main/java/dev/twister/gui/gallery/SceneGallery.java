@@ -1,5 +1,6 @@
 package dev.twister.gui.gallery;
 
+import dev.twister.gui.controls.OwnedWindows;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.SettingsKeeper;
@@ -69,6 +70,7 @@ public final class SceneGallery implements AutoCloseable {
     private Stage create() {
         Stage stage = new Stage();
         stage.initOwner(owner);
+        OwnedWindows.center(stage, owner);
         stage.setTitle("Scenes");
         Scene scene = new Scene(new StackPane(), WIDTH, HEIGHT);
         scene.getStylesheets().setAll(owner.getScene().getStylesheets());

@@ -1,6 +1,7 @@
 package dev.twister.gui.picture;
 
 import dev.twister.gui.controls.Dialogs;
+import dev.twister.gui.controls.OwnedWindows;
 import dev.twister.gui.controls.Problems;
 import dev.twister.gui.files.FileChoice;
 import dev.twister.gui.model.ViewedPicture;
@@ -47,6 +48,7 @@ public final class PictureViewer {
     private void show(Path file, ViewedPicture picture) {
         Stage stage = new Stage();
         stage.initOwner(owner);
+        OwnedWindows.center(stage, owner);
         stage.setTitle(file.getFileName() + " – Twister");
         ViewerPane pane = new ViewerPane(
                 picture, errands, () -> studio.pictureProperty().get().map(shown -> ShownRadiance.of(studio, shown)));

@@ -1,5 +1,6 @@
 package dev.twister.gui.rendering;
 
+import dev.twister.gui.controls.OwnedWindows;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
@@ -39,6 +40,7 @@ final class RenderWindow {
     RenderWindow(Stage owner, RenderForm form, Runnable start, Runnable stop) {
         this.form = form;
         stage.initOwner(owner);
+        OwnedWindows.center(stage, owner);
         stage.setTitle("Render to file");
         stage.setResizable(false);
         Button close = button("render-close", "Close");
