@@ -2,6 +2,7 @@ package dev.twister.gui.controls;
 
 import javafx.event.EventHandler;
 import javafx.geometry.Rectangle2D;
+import javafx.scene.Scene;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
@@ -15,26 +16,30 @@ public final class OwnedWindows {
      * the screen's corner, with its title beyond the border.
      */
     public static void center(Stage stage, Stage owner) {
-        stage.addEventHandler(WindowEvent.WINDOW_SHOWN, new EventHandler<>() {
+        // Before it is shown: a window manager may move it back later.
+        stage.addEventHandler(WindowEvent.WINDOW_SHOWING, new EventHandler<>() {
             @Override
             public void handle(WindowEvent event) {
-                stage.removeEventHandler(WindowEvent.WINDOW_SHOWN, this);
-                Rectangle2D screen = Screen.getScreensForRectangle(
-                                owner.getX(), owner.getY(), owner.getWidth(), owner.getHeight())
-                        .stream()
+                stage.removeEventHandler(WindowEvent.WINDOW_SHOWING, this);
+                place(stage, owner);
+            }
+        });
+    }
+
+    private static void place(Stage stage, Stage owner) {
+        Scene scene = stage.getScene();
+        scene.getRoot().applyCss();
+        double width = scene.getWidth() > 0 ? scene.getWidth() : scene.getRoot().prefWidth(-1);
+        double height =
+                scene.getHeight() > 0 ? scene.getHeight() : scene.getRoot().prefHeight(width);
+        Rectangle2D screen =
+                Screen.getScreensForRectangle(owner.getX(), owner.getY(), owner.getWidth(), owner.getHeight()).stream()
                         .findFirst()
                         .orElseGet(Screen::getPrimary)
                         .getVisualBounds();
-                stage.setX(between(
-                        owner.getX() + (owner.getWidth() - stage.getWidth()) / 2,
-                        screen.getMinX(),
-                        screen.getMaxX() - stage.getWidth()));
-                stage.setY(between(
-                        owner.getY() + (owner.getHeight() - stage.getHeight()) / 2,
-                        screen.getMinY(),
-                        screen.getMaxY() - stage.getHeight()));
-            }
-        });
+        stage.setX(between(owner.getX() + (owner.getWidth() - width) / 2, screen.getMinX(), screen.getMaxX() - width));
+        stage.setY(
+                between(owner.getY() + (owner.getHeight() - height) / 2, screen.getMinY(), screen.getMaxY() - height));
     }
 
     /** Not below the least, even where the most is. */
