@@ -35,7 +35,7 @@ record SdkVersion(int major, int minor, String text) {
 
     /** A warning if the SDK is newer than what was tested. */
     Optional<String> warning() {
-        boolean newer = major > TESTED_MAJOR || major == TESTED_MAJOR && minor > TESTED_MINOR;
+        boolean newer = major > TESTED_MAJOR || (major == TESTED_MAJOR && minor > TESTED_MINOR);
         return newer
                 ? Optional.of("TornadoVM " + text + " has not been tested; the newest tested version is " + TESTED_MAJOR
                         + "." + TESTED_MINOR + ". Compare pictures: twister devices --check")
