@@ -8,6 +8,7 @@ import dev.twister.scene.format.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import javafx.scene.input.KeyCode;
@@ -54,7 +55,8 @@ class DiskAccessTest {
     private void openEditAndSave(Path other) throws IOException {
         Path start = folder.resolve("start.json");
         copy(start);
-        AutosaveFolder autosaves = new AutosaveFolder(Optional.of(Files.createDirectory(folder.resolve("autosaves"))));
+        AutosaveFolder autosaves =
+                new AutosaveFolder(Optional.of(Files.createDirectory(folder.resolve("autosaves"))), Duration.ZERO);
         WindowDriver driver = WindowDriver.open(new OpenedScene(start, SceneReader.read(start)), autosaves);
         try {
             driver.run(() -> driver.window.workbench().files().drop(List.of(other)));
