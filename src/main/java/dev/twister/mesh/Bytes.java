@@ -100,13 +100,18 @@ final class Bytes {
     /** A copy of the bytes from a position on; the range must be within the length. */
     byte[] copy(long position, int count) throws IOException {
         byte[] bytes = new byte[count];
+        copy(position, bytes, count);
+        return bytes;
+    }
+
+    /** Copies bytes from a position on to an array's start; the range must be within the length. */
+    void copy(long position, byte[] target, int count) throws IOException {
         for (int done = 0; done < count; ) {
             int from = place(position + done, 1);
             int step = Math.min(count - done, windowLength - from);
-            System.arraycopy(window, from, bytes, done, step);
+            System.arraycopy(window, from, target, done, step);
             done += step;
         }
-        return bytes;
     }
 
     /** Whether the bytes start with these characters, one byte each. */

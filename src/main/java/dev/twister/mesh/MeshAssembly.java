@@ -155,7 +155,11 @@ final class MeshAssembly {
             int normal = smooth ? soup.normalAt(corner) : TriangleSoup.NONE;
             int texture = textured ? soup.textureAt(corner) : TriangleSoup.NONE;
             int color = soup.colorAt(corner);
-            int slot = TableHash.of(position, normal, 31 * color + texture) & mask;
+            // Most positions have one vertex, found where neighbors are; the others are scattered over the table.
+            int slot = position & mask;
+            if (table[slot] > 0 && !isKey(keys, 4 * (table[slot] - 1), position, normal, texture, color)) {
+                slot = TableHash.of(position, normal, 31 * color + texture) & mask;
+            }
             while (table[slot] > 0 && !isKey(keys, 4 * (table[slot] - 1), position, normal, texture, color)) {
                 slot = slot + 1 & mask;
             }

@@ -6,11 +6,12 @@ import java.util.Locale;
 
 /**
  * Reads words and numbers of a text and tracks the line number. Lines end in a line feed, a carriage return or both; a
- * line that ends in a backslash continues in the next one. Lines are not buffered, so they may have any length.
+ * line that ends in a backslash continues in the next one. Lines may be longer than the buffer.
  */
 final class TextCursor {
     private static final int END = -1;
     private static final int MAX_WORD_BYTES = 4096;
+    private static final int BUFFER_BYTES = 1 << 16;
 
     /** Below this limit, another digit still fits into a long. */
     private static final long MANTISSA_LIMIT = 100_000_000_000_000_000L;
@@ -21,26 +22,34 @@ final class TextCursor {
     };
 
     private final Bytes bytes;
-    private long position;
+    private final byte[] buffer;
+    private final ShortWords shortWords = new ShortWords();
+
+    /** The position of the buffer's first byte. */
+    private long bufferStart;
+
+    private int at;
+    private int buffered;
     private long line = 1;
 
     TextCursor(Bytes bytes) {
         this.bytes = bytes;
+        this.buffer = new byte[(int) Math.min(BUFFER_BYTES, bytes.length())];
     }
 
     /** Skips the UTF-8 byte order mark that some programs write. */
     void skipByteOrderMark() throws IOException {
         if (bytes.startsWith("\u00ef\u00bb\u00bf")) {
-            position = 3;
+            moveTo(3);
         }
     }
 
     long position() {
-        return position;
+        return bufferStart + at;
     }
 
     long remaining() {
-        return bytes.length() - position;
+        return bytes.length() - position();
     }
 
     MeshException failure(String problem) {
@@ -48,7 +57,7 @@ final class TextCursor {
     }
 
     boolean atEnd() {
-        return position >= bytes.length();
+        return position() >= bytes.length();
     }
 
     /** Whether only blanks or a comment are left on the line. */
@@ -79,7 +88,7 @@ final class TextCursor {
     /** The next word of the line; empty if there is none. */
     String word() throws IOException {
         skipBlanks();
-        long start = position;
+        long start = position();
         int next = peek();
         while (!isBlank(next) && !isLineEnd(next)) {
             next = advance();
@@ -90,7 +99,7 @@ final class TextCursor {
     /** The rest of the line without leading and trailing blanks. */
     String rest() throws IOException {
         skipBlanks();
-        long start = position;
+        long start = position();
         int next = peek();
         while (!isLineEnd(next)) {
             next = advance();
@@ -101,7 +110,7 @@ final class TextCursor {
     /** The next number of the line; NaN if the text spells NaN or infinity. */
     double number() throws IOException {
         skipBlanks();
-        long start = position;
+        long start = position();
         int next = peek();
         boolean negative = next == '-';
         if (negative || next == '+') {
@@ -145,7 +154,7 @@ final class TextCursor {
      */
     long integer(String what) throws IOException {
         skipBlanks();
-        long start = position;
+        long start = position();
         int next = peek();
         boolean negative = next == '-';
         if (negative || next == '+') {
@@ -167,7 +176,7 @@ final class TextCursor {
     /** Skips a character if it comes next. */
     boolean skip(char character) throws IOException {
         if (peek() == character) {
-            position++;
+            at++;
             return true;
         }
         return false;
@@ -191,11 +200,11 @@ final class TextCursor {
     }
 
     MeshException unexpected(String expected) throws IOException {
-        return unexpected(position, expected);
+        return unexpected(position(), expected);
     }
 
     private MeshException unexpected(long start, String expected) throws IOException {
-        position = start;
+        moveTo(start);
         String found = word();
         return failure((found.isEmpty() ? "the line ends" : Shown.text(found)) + "; expected " + expected);
     }
@@ -228,7 +237,7 @@ final class TextCursor {
 
     /** Accepts the notations of C and C++ libraries for NaN and infinity. */
     private double noNumber(long start) throws IOException {
-        position = start;
+        moveTo(start);
         String word = word().toLowerCase(Locale.ROOT);
         if (word.matches("[+-]?(nan|inf).*|.*#(qnan|snan|ind|inf).*")) {
             return Double.NaN;
@@ -242,11 +251,14 @@ final class TextCursor {
     }
 
     private String text(long start) throws IOException {
-        long count = position - start;
+        long count = position() - start;
         if (count > MAX_WORD_BYTES) {
             throw failure("a word or name of " + count + " bytes; at most " + MAX_WORD_BYTES + " are read");
         }
-        return new String(bytes.copy(start, (int) count), StandardCharsets.UTF_8);
+        if (start < bufferStart) {
+            return new String(bytes.copy(start, (int) count), StandardCharsets.UTF_8);
+        }
+        return shortWords.text(buffer, (int) (start - bufferStart), (int) count);
     }
 
     private void skipBlanks() throws IOException {
@@ -258,7 +270,7 @@ final class TextCursor {
 
     /** Moves to the end of a line that ends in a backslash. */
     private boolean continued() throws IOException {
-        long after = position + 1;
+        long after = position() + 1;
         if (after >= bytes.length()) {
             return false;
         }
@@ -266,10 +278,8 @@ final class TextCursor {
         if (end != '\n' && end != '\r') {
             return false;
         }
-        position = after;
-        if (end == '\r' && after + 1 < bytes.length() && bytes.at(after + 1) == '\n') {
-            position++;
-        }
+        boolean two = end == '\r' && after + 1 < bytes.length() && bytes.at(after + 1) == '\n';
+        moveTo(two ? after + 1 : after);
         line++;
         return true;
     }
@@ -278,20 +288,38 @@ final class TextCursor {
         if (end == END) {
             return;
         }
-        position++;
+        at++;
         if (end == '\r' && peek() == '\n') {
-            position++;
+            at++;
         }
         line++;
     }
 
     private int advance() throws IOException {
-        position++;
+        at++;
         return peek();
     }
 
     private int peek() throws IOException {
-        return position < bytes.length() ? bytes.at(position) : END;
+        return at < buffered || fill() ? buffer[at] & 0xff : END;
+    }
+
+    /** Reads on behind the buffer; returns whether anything is there. */
+    private boolean fill() throws IOException {
+        bufferStart = position();
+        at = 0;
+        buffered = (int) Math.min(buffer.length, remaining());
+        bytes.copy(bufferStart, buffer, buffered);
+        return buffered > 0;
+    }
+
+    private void moveTo(long position) {
+        boolean within = position >= bufferStart && position <= bufferStart + buffered;
+        if (!within) {
+            bufferStart = position;
+            buffered = 0;
+        }
+        at = (int) (position - bufferStart);
     }
 
     private static boolean isDigit(int character) {

@@ -3,6 +3,7 @@ package dev.twister.mesh;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 
 /**
@@ -178,18 +179,26 @@ final class TriangleSoup {
      * @return the center in the file's axes, {@link Vector3#ZERO} for triangles near the origin
      */
     Vector3 center() {
-        Box bounds = Box.NONE;
-        for (int corner = 0; corner < positionOf.size(); corner++) {
-            Vector3 point = at(positionOf.get(corner));
-            bounds = Double.isNaN(point.x()) ? bounds : bounds.with(point);
-        }
-        Vector3 center = SoupCenter.of(bounds);
+        Vector3 center = SoupCenter.of(bounds());
         for (int vertex = 0; vertex < vertices(); vertex++) {
             places.add((float) (positions.get(3 * vertex) - center.x()));
             places.add((float) (positions.get(3 * vertex + 1) - center.y()));
             places.add((float) (positions.get(3 * vertex + 2) - center.z()));
         }
         return center;
+    }
+
+    private Box bounds() {
+        BitSet used = new BitSet(vertices());
+        for (int corner = 0; corner < positionOf.size(); corner++) {
+            used.set(positionOf.get(corner));
+        }
+        Box bounds = Box.NONE;
+        for (int vertex = used.nextSetBit(0); vertex >= 0; vertex = used.nextSetBit(vertex + 1)) {
+            Vector3 point = at(vertex);
+            bounds = Double.isNaN(point.x()) ? bounds : bounds.with(point);
+        }
+        return bounds;
     }
 
     private Vector3 at(int vertex) {

@@ -134,4 +134,25 @@ class ObjReaderTest {
                         .shownTriangles())
                 .isEqualTo(1);
     }
+
+    /** Text is read through a buffer of 65,536 bytes, whose end lies before, in and behind each word of a line. */
+    @Test
+    void readsWordsOverTheEndOfTheBuffer() {
+        for (int place = 0; place < 60; place++) {
+            String start = "#" + " ".repeat(65_500 - SQUARE.length() + place) + "\n" + SQUARE;
+            MeshFile file = Reading.read(folder, "a.obj", start + "usemtl red paint\nf 1 2 3\n");
+            assertThat(file.parts()).extracting(MeshPart::name).containsExactly("red paint");
+            assertThat(file.meshes().getFirst().positions()).containsExactly(0, 0, 0, 1, 1, 0, 1, 0, 0);
+        }
+    }
+
+    @Test
+    void sharesAVertexWhereCornersHaveEqualNormals() {
+        String normals = "vn 0 0 1\nvn 0 1 0\nvn 1 0 0\n";
+        String faces = "f 1//1 2//1 3//1\nf 1//2 3//1 4//1\nf 1//3 2//1 4//1\nf 1//2 2//1 3//2\n";
+        TriangleMesh mesh =
+                Reading.read(folder, "a.obj", SQUARE + normals + faces).meshes().getFirst();
+        assertThat(mesh.corners()).containsExactly(0, 1, 2, 3, 4, 1, 5, 4, 2, 3, 6, 2);
+        assertThat(mesh.positions()).hasSize(3 * 7);
+    }
 }

@@ -15,7 +15,9 @@ import java.util.Arrays;
 final class PathTile {
     private final TileBench bench;
     private final BounceRenderer bounces;
-    private final JvmPath[] paths = new JvmPath[Tile.SIZE];
+
+    /** One per pixel of the tile; none before the first frame that traces paths. */
+    private JvmPath[] paths = {};
 
     /** The pixels whose paths go on, in the order of the tile. */
     private final int[] alive = new int[Tile.SIZE];
@@ -26,8 +28,15 @@ final class PathTile {
     PathTile(TileBench bench, BounceRenderer bounces) {
         this.bench = bench;
         this.bounces = bounces;
-        float[] scratch = new float[Layout.LAYERED_SCRATCH_LENGTH];
-        Arrays.setAll(paths, pixel -> new JvmPath(scratch));
+    }
+
+    /** Prepares for a frame that traces paths. */
+    void start() {
+        if (paths.length == 0) {
+            float[] scratch = new float[Layout.LAYERED_SCRATCH_LENGTH];
+            paths = new JvmPath[Tile.SIZE];
+            Arrays.setAll(paths, pixel -> new JvmPath(scratch));
+        }
     }
 
     /** Renders the tile's pixels that lie in the frame. */

@@ -23,6 +23,9 @@ final class TileRenderer {
     /** Prepares for a frame. */
     void start(Drawing drawing) {
         bench.start(drawing);
+        if (drawing.input.tracesPaths()) {
+            paths.start();
+        }
     }
 
     /** Renders a tile; tiles are numbered row by row from the top left. */

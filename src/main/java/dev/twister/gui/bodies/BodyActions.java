@@ -14,9 +14,12 @@ import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Selection;
 import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Light;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
+import dev.twister.scene.Sphere;
 import java.util.List;
 import java.util.Optional;
 
@@ -35,25 +38,23 @@ public final class BodyActions {
 
     public void insert() {
         studio.pictureProperty().get().ifPresent(shown -> {
-            studio.insert("insert sphere", List.of(NewSphere.inFrontOf(shown.input(), studio.scene())), List.of());
+            Sphere sphere = NewSphere.inFrontOf(shown.input(), studio.bodies().scene(), shown.meshes());
+            studio.insert("insert sphere", List.of(sphere), List.of());
         });
     }
 
     public void insert(Shape.Kind kind) {
-        studio.pictureProperty()
-                .get()
-                .ifPresent(shown -> studio.insert(
-                        "insert " + Shape.of(kind, 1).name(),
-                        List.of(NewMesh.inFrontOf(shown.input(), studio.scene(), kind)),
-                        List.of()));
+        studio.pictureProperty().get().ifPresent(shown -> {
+            Mesh mesh = NewMesh.inFrontOf(shown.input(), studio.bodies().scene(), shown.meshes(), kind);
+            studio.insert("insert " + mesh.geometry().name(), List.of(mesh), List.of());
+        });
     }
 
     public void insertLight() {
-        studio.pictureProperty()
-                .get()
-                .filter(_ -> hasRoomFor(1))
-                .ifPresent(shown -> studio.insert(
-                        "insert light", List.of(), List.of(NewLight.over(shown.input(), studio.scene()))));
+        studio.pictureProperty().get().filter(_ -> hasRoomFor(1)).ifPresent(shown -> {
+            Light light = NewLight.over(shown.input(), studio.bodies().scene(), shown.meshes());
+            studio.insert("insert light", List.of(), List.of(light));
+        });
     }
 
     /** Adds copies of the selected bodies, to the right of them. */

@@ -2,6 +2,7 @@ package dev.twister.gui.files;
 
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Problems;
+import dev.twister.gui.model.BodyExtent;
 import dev.twister.gui.model.NewMesh;
 import dev.twister.gui.studio.Document;
 import dev.twister.gui.studio.Studio;
@@ -48,12 +49,11 @@ public final class AssetActions {
 
     private void insert(Mesh mesh, MeshFile held) {
         studio.pictureProperty().get().ifPresent(shown -> {
-            Box bounds = held.bounds();
+            Box box = held.bounds();
+            BodyExtent bounds = BodyExtent.box(box.center(), box.half());
+            Mesh placed = NewMesh.inFrontOf(shown.input(), studio.bodies().scene(), shown.meshes(), mesh, bounds);
             studio.assets().keepMesh(mesh, held);
-            studio.insert(
-                    "insert mesh",
-                    List.of(NewMesh.inFrontOf(shown.input(), studio.scene(), mesh, bounds.center(), bounds.half())),
-                    List.of());
+            studio.insert("insert mesh", List.of(placed), List.of());
         });
     }
 

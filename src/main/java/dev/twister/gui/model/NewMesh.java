@@ -4,37 +4,38 @@ import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
-import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
+import dev.twister.world.SceneMeshes;
 
-/** The mesh that the user inserts: of the size and at the place of a new sphere. */
+/** The mesh that the user inserts: of the size of a new sphere, see {@link FreePlace}. */
 public final class NewMesh {
     private NewMesh() {}
 
     /** A new shape of the usual proportions, made of what a new sphere would be. */
-    public static Mesh inFrontOf(FrameInput input, Scene scene, Shape.Kind kind) {
-        Sphere room = NewSphere.inFrontOf(input, scene);
-        Shape shape = Shape.of(kind, 2 * room.radius());
-        Vector3 up = new Vector3(0, shape.size().y() / 2 - room.radius(), 0);
+    public static Mesh inFrontOf(FrameInput input, Scene scene, SceneMeshes meshes, Shape.Kind kind) {
+        Shape shape = Shape.of(kind, 2 * NewSphere.RADIUS);
         return Mesh.of(shape)
-                .withMaterial(room.material())
-                .withPosition(SceneLimits.POSITION.clamp(room.position().plus(up)));
+                .withMaterial(NewSphere.material(scene))
+                .withPosition(middle(input, scene, meshes, shape.size().times(0.5)));
     }
 
     /**
      * The mesh with a place and a scale.
      *
-     * @param center of the box around the file's triangles, in its own coordinates
-     * @param half of each of the box's sides
+     * @param bounds of the file's triangles, in its own coordinates
      */
-    public static Mesh inFrontOf(FrameInput input, Scene scene, Mesh mesh, Vector3 center, Vector3 half) {
-        Sphere room = NewSphere.inFrontOf(input, scene);
+    public static Mesh inFrontOf(FrameInput input, Scene scene, SceneMeshes meshes, Mesh mesh, BodyExtent bounds) {
+        Vector3 half = bounds.half();
         double largest = Math.max(half.x(), Math.max(half.y(), half.z()));
-        double scale = SceneLimits.SCALE.clamp(largest > 0 ? room.radius() / largest : 1);
-        // A flat mesh lies on the ground, not at the sphere's center.
-        Vector3 bottom = new Vector3(center.x(), center.y() - half.y(), center.z());
-        Vector3 ground = room.position().minus(new Vector3(0, room.radius(), 0));
-        return mesh.withScale(scale).withPosition(SceneLimits.POSITION.clamp(ground.minus(bottom.times(scale))));
+        double scale = SceneLimits.SCALE.clamp(largest > 0 ? NewSphere.RADIUS / largest : 1);
+        Vector3 middle = middle(input, scene, meshes, half.times(scale));
+        return mesh.withScale(scale)
+                .withPosition(
+                        SceneLimits.POSITION.clamp(middle.minus(bounds.middle().times(scale))));
+    }
+
+    private static Vector3 middle(FrameInput input, Scene scene, SceneMeshes meshes, Vector3 half) {
+        return FreePlace.of(input, scene, meshes, BodyExtent.box(Vector3.ZERO, half));
     }
 }

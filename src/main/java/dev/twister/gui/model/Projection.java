@@ -33,6 +33,12 @@ public final class Projection {
                 origin.z() + camera[Layout.CAMERA_POSITION + 2]);
     }
 
+    /** The unit vector to the right of the picture. */
+    Vector3 right() {
+        return new Vector3(
+                camera[Layout.CAMERA_RIGHT], camera[Layout.CAMERA_RIGHT + 1], camera[Layout.CAMERA_RIGHT + 2]);
+    }
+
     /** x and y of a point, in pixels from the upper left corner; empty if it is behind the camera. */
     public double[] point(Vector3 place) {
         double[] seen = seen(place);

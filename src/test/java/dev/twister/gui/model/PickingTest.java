@@ -9,9 +9,9 @@ import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
-import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
+import dev.twister.world.SceneMeshes;
 import java.util.List;
 import java.util.Optional;
 import net.jqwik.api.ForAll;
@@ -59,9 +59,11 @@ class PickingTest {
         Scene moved = scene.withCamera(camera.withPosition(up))
                 .withGround(scene.ground().withHeight(scene.ground().height() + far));
         FrameInput there = Scenes.input(moved);
-        Vector3 near = NewSphere.inFrontOf(Scenes.input(scene.withSpheres(List.of())), scene.withSpheres(List.of()))
+        Scene empty = scene.withSpheres(List.of());
+        Scene emptyThere = moved.withSpheres(List.of());
+        Vector3 near = NewSphere.inFrontOf(Scenes.input(empty), empty, SceneMeshes.NONE)
                 .position();
-        Vector3 inserted = NewSphere.inFrontOf(Scenes.input(moved.withSpheres(List.of())), moved.withSpheres(List.of()))
+        Vector3 inserted = NewSphere.inFrontOf(Scenes.input(emptyThere), emptyThere, SceneMeshes.NONE)
                 .position();
         assertThat(inserted.y() - far).isCloseTo(near.y(), within(1e-3));
         Vector3 center = new Vector3(1, far + 3, 2);
@@ -170,58 +172,5 @@ class PickingTest {
         Vector3 place = new Vector3(1.2, -0.2, 3.3);
         assertThat(BodyDrag.snapped(place, Optional.empty())).isEqualTo(new Vector3(1, 0, 3.5));
         assertThat(BodyDrag.snapped(place, Optional.of(Axis.X))).isEqualTo(new Vector3(1, -0.2, 3.3));
-    }
-
-    @Test
-    void aNewSphereTouchesWhatIsBehindIt() {
-        Sphere inserted = NewSphere.inFrontOf(input, scene);
-        double gap = scene.spheres().getFirst().position().z()
-                - 1.5
-                - inserted.position().z();
-        assertThat(gap).isCloseTo(inserted.radius(), within(0.05));
-        assertThat(BodyPicker.bodyAt(
-                        Scenes.input(scene.withBodies(scene.bodies().with(List.of(inserted)))),
-                        Scenes.WIDTH / 2.0,
-                        Scenes.HEIGHT / 2.0))
-                .isEqualTo(Layout.FIRST_SPHERE + 2);
-    }
-
-    @Test
-    void newSpheresStandBesideThoseThatThePictureDoesNotShowYet() {
-        Scene edited = scene;
-        for (int number = 0; number < 5; number++) {
-            edited = edited.withBodies(edited.bodies().with(List.of(NewSphere.inFrontOf(input, edited))));
-        }
-        List<Sphere> added = edited.spheres()
-                .subList(scene.spheres().size(), edited.spheres().size());
-        assertThat(added).allMatch(sphere -> sphere.position().y() == sphere.radius());
-        for (Sphere sphere : added) {
-            assertThat(added)
-                    .filteredOn(other -> !other.equals(sphere))
-                    .allMatch(other ->
-                            other.position().minus(sphere.position()).length() >= other.radius() + sphere.radius());
-        }
-    }
-
-    @Test
-    void aNewSphereStandsOnThePlane() {
-        Scene down = scene.withSpheres(List.of()).withCamera(Camera.of(new Vector3(0, 2, -10), 0, 20, 60));
-        Sphere inserted = NewSphere.inFrontOf(Scenes.input(down), down);
-        assertThat(inserted.position().y()).isEqualTo(inserted.radius());
-    }
-
-    @Test
-    void aNewSphereIsNotAroundTheCamera() {
-        Scene near = scene.withCamera(Camera.of(new Vector3(0, 2, -1.6), 0, 0, 60));
-        Sphere inserted = NewSphere.inFrontOf(Scenes.input(near), near);
-        assertThat(inserted.position().z() + 1.6).isGreaterThan(inserted.radius());
-    }
-
-    @Test
-    void aNewSphereInTheSkyIsAtHand() {
-        Scene up = scene.withCamera(Camera.of(new Vector3(0, 2, -10), 180, -30, 60));
-        Sphere inserted = NewSphere.inFrontOf(Scenes.input(up), up);
-        assertThat(Math.hypot(inserted.position().y() - 2, inserted.position().z() + 10))
-                .isCloseTo(15, within(1e-4));
     }
 }
