@@ -67,11 +67,12 @@ public final class Gui {
         Logger logger = Logger.getLogger("javafx");
         logger.setFilter(record -> !String.valueOf(record.getMessage()).startsWith(CLASS_PATH_NOTICE));
         double textScale = TextScale.ofSystem();
+        SettingsStore.Found found = own.settings().read();
         CompletableFuture<Runnable> end = new CompletableFuture<>();
         try {
             Platform.startup(() -> {
                 try {
-                    whenOpen.accept(open(first, engine, shipped, own, textScale, end));
+                    whenOpen.accept(open(first, engine, shipped, own, found, textScale, end));
                 } catch (RuntimeException | LinkageError problem) {
                     end.completeExceptionally(problem);
                 }
@@ -97,10 +98,10 @@ public final class Gui {
             Optional<String> engine,
             ShippedFolders shipped,
             UserFiles own,
+            SettingsStore.Found found,
             double textScale,
             CompletableFuture<Runnable> end) {
         Stage stage = new Stage();
-        SettingsStore.Found found = own.settings().read();
         String id = engine.orElse(found.settings().get(WindowSettings.ENGINE));
         // Looking for engines takes TornadoVM a second: that is left to the thread that opens this one.
         EngineOffer offer = EngineOffer.working(id, "", "", () -> Engines.open(id));

@@ -4,6 +4,7 @@ import dev.twister.bench.WindowRates;
 import dev.twister.gui.camera.CameraKeys;
 import dev.twister.gui.camera.CameraMouse;
 import dev.twister.gui.files.Reading;
+import dev.twister.gui.panel.PanelWindow;
 import dev.twister.gui.picture.FrameTimesView;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.Studio;
@@ -74,7 +75,8 @@ public final class MainWindow implements AutoCloseable {
         }
         stage.setScene(scene);
         status.clearAtNextAction(scene);
-        CameraKeys keys = CameraKeys.install(scene, stage.focusedProperty(), studio);
+        CameraKeys keys = CameraKeys.install(scene, studio);
+        keys.releaseWithout(stage.focusedProperty());
         AltKey.install(scene);
         CameraMouse.install(picture, studio);
         workbench = new Workbench(stage, root, middle, picture, frameTimes, studio, reading, options);
@@ -82,6 +84,10 @@ public final class MainWindow implements AutoCloseable {
         workbench.qUpProperty().subscribe(keys::setQUp);
         pulses = new Pulses(this::pulse, () -> studio.isBusy() || workbench.isBusy());
         scene.addEventFilter(InputEvent.ANY, _ -> pulses.wake());
+        PanelWindow aside = workbench.panelWindow();
+        status.clearAtNextAction(aside.scene());
+        keys.releaseWithout(aside.focusedProperty());
+        aside.scene().addEventFilter(InputEvent.ANY, _ -> pulses.wake());
         stage.focusedProperty().subscribe(_ -> pulses.wake());
         afterLayout = this::endPulse;
         scene.addPostLayoutPulseListener(afterLayout);

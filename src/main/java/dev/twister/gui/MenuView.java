@@ -70,6 +70,7 @@ final class MenuView extends MenuBar {
             Command.Q_UP,
             Command.AXIS_HANDLES,
             Command.PANEL,
+            Command.FLOAT_PANEL,
             Command.SAFE_FRAME,
             Command.LOCK_CAMERA,
             Command.FRAME_TIMES,

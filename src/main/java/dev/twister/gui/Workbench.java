@@ -34,6 +34,7 @@ import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.panel.Panel;
 import dev.twister.gui.panel.PanelEdge;
 import dev.twister.gui.panel.PanelKeys;
+import dev.twister.gui.panel.PanelWindow;
 import dev.twister.gui.panel.SkyList;
 import dev.twister.gui.picture.ClippingView;
 import dev.twister.gui.picture.Comparison;
@@ -64,6 +65,7 @@ import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Node;
+import javafx.scene.Scene;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
@@ -97,6 +99,7 @@ final class Workbench implements AutoCloseable {
     private final HelpWindows help;
     private final PictureViewer viewer;
     private final Panel panel;
+    private final PanelWindow panelWindow;
     private final PixelInspector inspector;
     private final Comparison comparison;
     private final BodyActions bodies;
@@ -131,7 +134,7 @@ final class Workbench implements AutoCloseable {
         this.picture = picture;
         this.frameTimes = frameTimes;
         this.reading = reading;
-        settings = new SettingsKeeper(options.settings(), options.found(), studio::notice);
+        settings = new SettingsKeeper(options.settings(), options.found(), errands, studio::notice);
         Dialogs dialogs = new Dialogs(stage);
         saving = new SceneSaving(
                 studio, options.files(), options.shipped(), dialogs, settings, errands, this::takeTyped);
@@ -172,6 +175,9 @@ final class Workbench implements AutoCloseable {
                                 .set(!clipping.shownProperty().get()));
         panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, tags, errands, actions);
         panel.foldAsKept(settings);
+        HBox side = new HBox(panel);
+        panelWindow = new PanelWindow(stage, panel, side, picture, settings);
+        side.getChildren().addFirst(new PanelEdge(panel, panelWindow.dockedProperty(), settings));
         menu = new MenuView(studio, settings, files, actions, bodies::insert);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
         menu.check(Command.INSPECT, inspector.visibleProperty());
@@ -180,17 +186,18 @@ final class Workbench implements AutoCloseable {
         menu.check(Command.CLIPPING, clipping.shownProperty());
         menu.check(Command.Q_UP, qUpProperty());
         menu.check(Command.PANEL, panel.visibleProperty());
+        menu.check(Command.FLOAT_PANEL, panelWindow.floatingProperty());
         menu.check(Command.FRAME_TIMES, frameTimes.visibleProperty());
         menu.check(Command.FULL_SCREEN, stage.fullScreenProperty());
         menu.explainKeys(root.getScene(), studio);
-        film = new FilmBar(studio, actions, picture::requestFocus);
+        film = new FilmBar(studio, actions, this::focusPicture);
         menu.check(Command.SAFE_FRAME, safeFrame.shownProperty());
         menu.check(Command.LOCK_CAMERA, studio.document().cameraLockedProperty());
         menu.check(Command.PLAY, studio.film().playingProperty());
         menu.check(Command.FILM, film.visibleProperty());
         root.setTop(menu);
         root.setBottom(new VBox(film, new DopeSheet(studio, film), root.getBottom()));
-        root.setRight(new HBox(new PanelEdge(panel, settings), panel));
+        root.setRight(side);
         AxisHandles handles = new AxisHandles(picture, studio, paths);
         TransformHandles transforms = new TransformHandles(picture, studio, handles);
         HandleMouse.install(middle, picture, studio, transforms);
@@ -204,8 +211,11 @@ final class Workbench implements AutoCloseable {
         bodyMouse.axisProperty().subscribe(handles::point);
         handles.onProperty().bind(settings.settingsProperty().map(kept -> kept.get(WindowSettings.AXIS_HANDLES)));
         menu.check(Command.AXIS_HANDLES, handles.onProperty());
-        PanelKeys.install(root.getScene(), panel, picture, () -> showPanel(true));
-        DropTarget.install(root.getScene(), files);
+        PanelKeys.leadBack(panel, this::focusPicture);
+        for (Scene scene : List.of(root.getScene(), panelWindow.scene())) {
+            PanelKeys.install(scene, panel, () -> showPanel(true));
+            DropTarget.install(scene, files);
+        }
         errands.run(
                 () -> SkyList.in(options.shipped().skyboxes()),
                 panel::offerSkies,
@@ -218,7 +228,7 @@ final class Workbench implements AutoCloseable {
         }
         restore();
         stage.setMinHeight(LEAST_HEIGHT);
-        panel.visibleProperty().subscribe(_ -> limitWidth());
+        panelWindow.dockedProperty().subscribe(_ -> limitWidth());
         // Style sheets say it, in the text's size.
         panel.minWidthProperty().subscribe(_ -> limitWidth());
         options.asked().ifPresent(settings::remember);
@@ -248,6 +258,17 @@ final class Workbench implements AutoCloseable {
         return comparison.isOn() || pictures.recorderProperty().get().isPresent();
     }
 
+    /** Gives the picture the focus, whichever window has it. */
+    private void focusPicture() {
+        stage.requestFocus();
+        picture.requestFocus();
+    }
+
+    private void startTransform(BodyTransform.Mode mode) {
+        stage.requestFocus();
+        transform.start(mode);
+    }
+
     /** Keeps the settings, and begins nothing more; {@link #awaitFiles} waits for what is still being written. */
     @Override
     public void close() {
@@ -256,6 +277,7 @@ final class Workbench implements AutoCloseable {
         int height = (int) stage.getHeight();
         settings.change(
                 kept -> (filling ? kept : kept.withSize(width, height)).with(WindowSettings.MAXIMIZED, filling));
+        panelWindow.close();
         settings.write();
         help.close();
         gallery.close();
@@ -286,6 +308,10 @@ final class Workbench implements AutoCloseable {
 
     Panel panel() {
         return panel;
+    }
+
+    PanelWindow panelWindow() {
+        return panelWindow;
     }
 
     /** See {@link WindowSettings#Q_UP}. */
@@ -343,9 +369,9 @@ final class Workbench implements AutoCloseable {
                 .on(Command.PASTE, bodies::paste)
                 .on(Command.DELETE, bodies::delete)
                 .on(Command.DROP, bodies::drop)
-                .on(Command.GRAB, () -> transform.start(BodyTransform.Mode.MOVE))
-                .on(Command.ROTATE, () -> transform.start(BodyTransform.Mode.ROTATE))
-                .on(Command.SCALE, () -> transform.start(BodyTransform.Mode.SCALE))
+                .on(Command.GRAB, () -> startTransform(BodyTransform.Mode.MOVE))
+                .on(Command.ROTATE, () -> startTransform(BodyTransform.Mode.ROTATE))
+                .on(Command.SCALE, () -> startTransform(BodyTransform.Mode.SCALE))
                 .on(Command.HIDE, tags::hide)
                 .on(Command.SHOW_ALL, tags::showAll)
                 .on(Command.LOCK, tags::toggleLock)
@@ -371,6 +397,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.ZOOM_OUT, () -> picture.zoom(1 / ZoomMouse.STEP))
                 .on(Command.ZOOM_TO_FIT, picture::zoomToFit)
                 .on(Command.PANEL, () -> showPanel(!panel.isVisible()))
+                .on(Command.FLOAT_PANEL, this::toggleFloating)
                 .on(Command.FRAME_TIMES, () -> showFrameTimes(!frameTimes.isVisible()))
                 .on(Command.MOVE, () -> studio.motion().setOn(!studio.motion().isOn()))
                 .on(Command.FRAME, bodies::frameSelected)
@@ -408,13 +435,14 @@ final class Workbench implements AutoCloseable {
             stage.setY(screen.getMinY() + (screen.getHeight() - stage.getHeight()) / 2);
         }
         stage.setMaximized(settings.settings().get(WindowSettings.MAXIMIZED));
+        panelWindow.setFloating(settings.settings().get(WindowSettings.PANEL_FLOATS));
         showPanel(settings.settings().get(WindowSettings.PANEL_SHOWN));
         showFrameTimes(settings.settings().get(WindowSettings.FRAME_TIMES_SHOWN));
     }
 
     /** The panel hides no picture. */
     private void limitWidth() {
-        double beside = panel.isVisible() ? Math.max(0, panel.getMinWidth()) : 0;
+        double beside = panelWindow.dockedProperty().getValue() ? Math.max(0, panel.getMinWidth()) : 0;
         stage.setMinWidth(Math.min(Screen.getPrimary().getVisualBounds().getWidth(), beside + LEAST_PICTURE));
     }
 
@@ -422,9 +450,18 @@ final class Workbench implements AutoCloseable {
         panel.setVisible(shown);
         panel.setManaged(shown);
         if (!shown) {
-            picture.requestFocus();
+            focusPicture();
         }
         settings.change(kept -> kept.with(WindowSettings.PANEL_SHOWN, shown));
+    }
+
+    private void toggleFloating() {
+        boolean floats = !panelWindow.floatingProperty().get();
+        if (floats) {
+            showPanel(true);
+        }
+        panelWindow.setFloating(floats);
+        focusPicture();
     }
 
     private void showFrameTimes(boolean shown) {
@@ -450,7 +487,7 @@ final class Workbench implements AutoCloseable {
         } else if (picture.isFocused()) {
             studio.selection().select(BodyNumber.NONE);
         } else {
-            picture.requestFocus();
+            focusPicture();
         }
     }
 

@@ -155,7 +155,7 @@ class CameraTest {
         try (WindowDriver driver = WindowDriver.open()) {
             SimpleBooleanProperty focused = new SimpleBooleanProperty(true);
             Scene keyboard = WindowDriver.call(() -> new Scene(new Pane()));
-            driver.run(() -> CameraKeys.install(keyboard, focused, driver.studio));
+            driver.run(() -> CameraKeys.install(keyboard, driver.studio).releaseWithout(focused));
             driver.run(() -> Event.fireEvent(
                     keyboard, new KeyEvent(KeyEvent.KEY_PRESSED, "w", "w", KeyCode.W, false, false, false, false)));
             driver.pulse();

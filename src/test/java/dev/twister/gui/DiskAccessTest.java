@@ -3,14 +3,21 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.model.AutosaveFolder;
+import dev.twister.gui.model.SettingsStore;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.studio.OpenedScene;
+import dev.twister.kernel.Layout;
 import dev.twister.scene.format.SceneReader;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import javafx.scene.control.Button;
 import javafx.scene.input.KeyCode;
+import javax.imageio.ImageIO;
 import jdk.jfr.Recording;
 import jdk.jfr.consumer.RecordedEvent;
 import jdk.jfr.consumer.RecordingFile;
@@ -47,6 +54,10 @@ class DiskAccessTest {
 
         assertThat(here).extracting(event -> event.getEventType().getName()).contains("jdk.FileRead", "jdk.FileWrite");
         assertThat(here)
+                .extracting(
+                        event -> Path.of(event.getString("path")).getFileName().toString())
+                .contains("other.json", "texture.png", "sky.hdr");
+        assertThat(here)
                 .noneMatch(event ->
                         event.getThread() != null && FX.equals(event.getThread().getJavaName()));
     }
@@ -54,8 +65,10 @@ class DiskAccessTest {
     private void openEditAndSave(Path other) throws IOException {
         Path start = folder.resolve("start.json");
         copy(start);
-        AutosaveFolder autosaves = new AutosaveFolder(Optional.of(Files.createDirectory(folder.resolve("autosaves"))));
-        WindowDriver driver = WindowDriver.open(new OpenedScene(start, SceneReader.read(start)), autosaves);
+        AutosaveFolder autosaves =
+                new AutosaveFolder(Optional.of(Files.createDirectory(folder.resolve("autosaves"))), Duration.ZERO);
+        SettingsStore settings = new SettingsStore(Optional.of(folder.resolve("settings")));
+        WindowDriver driver = WindowDriver.open(new OpenedScene(start, SceneReader.read(start)), settings, autosaves);
         try {
             driver.run(() -> driver.window.workbench().files().drop(List.of(other)));
             driver.await(() -> driver.studio.document().file().equals(other));
@@ -63,9 +76,38 @@ class DiskAccessTest {
                     "shadows", scene -> scene.withRendering(scene.rendering().withShadowSamples(1))));
             driver.typeWith(KeyCode.S, KeyCode.CONTROL);
             driver.await(() -> !driver.studio.document().editsProperty().get().changed());
+            saveAndRecordPictures(driver);
+            chooseTextureAndSky(driver);
         } finally {
             driver.close();
         }
+        assertThat(settings.read().settings().get(WindowSettings.RECENT_SCENES)).contains(other.toString());
+    }
+
+    private void saveAndRecordPictures(WindowDriver driver) throws IOException {
+        Path picture = folder.resolve("picture.png");
+        driver.files.choose(picture);
+        driver.type(KeyCode.F12);
+        driver.await(() -> Files.exists(picture));
+        Path frames = Files.createDirectory(folder.resolve("frames"));
+        driver.files.choose(frames);
+        driver.typeWith(KeyCode.R, KeyCode.CONTROL);
+        driver.await(() -> Files.exists(frames.resolve("frame-000001.png")));
+        driver.typeWith(KeyCode.R, KeyCode.CONTROL);
+    }
+
+    private void chooseTextureAndSky(WindowDriver driver) throws IOException {
+        Path texture = folder.resolve("texture.png");
+        ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), "png", texture.toFile());
+        driver.run(() -> driver.studio.selection().select(Layout.FIRST_SPHERE));
+        driver.files.choose(texture);
+        driver.run(() -> driver.find("#other-texture", Button.class).fire());
+        driver.await(() ->
+                driver.studio.scene().spheres().getFirst().material().texture().isPresent());
+        Path sky = Files.copy(Path.of("skyboxes", "gradient.hdr"), folder.resolve("sky.hdr"));
+        driver.run(() -> driver.window.workbench().files().drop(List.of(sky)));
+        driver.await(() -> driver.studio.scene().sky().file().equals(sky));
+        driver.awaitCurrentPicture();
     }
 
     private void copy(Path file) throws IOException {

@@ -662,11 +662,11 @@ class FilesTest {
         Path frames = Files.createDirectory(folder.resolve("frames"));
         driver.files.choose(frames);
         driver.typeWith(KeyCode.R, KeyCode.CONTROL);
+        driver.await(() -> driver.notice().startsWith("Recording"));
         change();
         driver.awaitCurrentPicture();
         change();
         driver.awaitCurrentPicture();
-        assertThat(driver.notice()).startsWith("Recording");
         // A picture that is seen is about to be recorded.
         driver.await(() -> Files.exists(frames.resolve("frame-000003.png")));
         driver.typeWith(KeyCode.R, KeyCode.CONTROL);

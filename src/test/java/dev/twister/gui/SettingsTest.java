@@ -37,6 +37,7 @@ class SettingsTest {
                 driver.stage.setHeight(500);
                 driver.find(".picture", Node.class).requestFocus();
             });
+            driver.typeWith(KeyCode.F9, KeyCode.SHIFT);
             driver.type(KeyCode.F9);
             assertThat(driver.find(".frame-times", Node.class).isVisible()).isFalse();
             driver.type(KeyCode.F3);
@@ -52,6 +53,12 @@ class SettingsTest {
         try (WindowDriver driver = WindowDriver.open(store)) {
             assertThat(driver.stage.getWidth()).isEqualTo(700);
             assertThat(driver.window.workbench().panel().isVisible()).isFalse();
+            assertThat(driver.window
+                            .workbench()
+                            .panelWindow()
+                            .floatingProperty()
+                            .get())
+                    .isTrue();
             assertThat(driver.find(".frame-times", Node.class).isVisible()).isTrue();
             driver.type(KeyCode.F3);
             assertThat(driver.find(".frame-times", Node.class).isVisible()).isFalse();

@@ -129,8 +129,12 @@ public final class WindowDriver implements AutoCloseable {
 
     /** A window with a scene that has a file, and with unsaved edits kept there. */
     static WindowDriver open(OpenedScene opened, AutosaveFolder autosaves) {
-        return open(() -> new WindowDriver(
-                opened, BlockEngine.offer(), new SettingsStore(Optional.empty()), FOUND, autosaves, TextScale.USUAL));
+        return open(opened, new SettingsStore(Optional.empty()), autosaves);
+    }
+
+    /** The same, whose settings will be kept there. */
+    static WindowDriver open(OpenedScene opened, SettingsStore settings, AutosaveFolder autosaves) {
+        return open(() -> new WindowDriver(opened, BlockEngine.offer(), settings, FOUND, autosaves, TextScale.USUAL));
     }
 
     private static OpenedScene untitled(Scene scene) {

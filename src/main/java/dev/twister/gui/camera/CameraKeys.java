@@ -46,21 +46,24 @@ public final class CameraKeys {
     }
 
     /** Adds handlers to the window, whichever control has the focus. */
-    public static CameraKeys install(Scene scene, ObservableValue<Boolean> windowFocused, Studio studio) {
+    public static CameraKeys install(Scene scene, Studio studio) {
         CameraKeys keys = new CameraKeys(studio);
         scene.addEventHandler(KeyEvent.KEY_PRESSED, keys::pressed);
         scene.addEventHandler(KeyEvent.KEY_RELEASED, event -> {
             keys.held.release(event.getCode());
             keys.move();
         });
-        // The release of a key is not reported while another window has the focus.
+        return keys;
+    }
+
+    /** The release of a key is not reported once another window has the focus. */
+    public void releaseWithout(ObservableValue<Boolean> windowFocused) {
         windowFocused.subscribe(focused -> {
             if (!focused) {
-                keys.held.releaseAll();
-                keys.move();
+                held.releaseAll();
+                move();
             }
         });
-        return keys;
     }
 
     /** See {@link HeldKeys#setQUp}. */

@@ -80,6 +80,7 @@ public enum Command {
     AXIS_HANDLES(
             Group.VIEW, "Axis handles", "Shift+F3", "Shows or hides the handles that move, rotate and scale bodies."),
     PANEL(Group.VIEW, "Panel", "F9", "Shows or hides the panel."),
+    FLOAT_PANEL(Group.VIEW, "Float panel", "Shift+F9", "Moves the panel into a window of its own, or back."),
     SAFE_FRAME(Group.VIEW, "Safe frame", "Shift+F11", "Outlines what a picture of the scene's own size shows."),
     LOCK_CAMERA(Group.VIEW, "Lock camera", "Shift+L", "Keeps the camera where it is, but for views and keyframes."),
     FRAME_TIMES(Group.VIEW, "Frame times", "F3", "Shows or hides frames per second and their graph."),

@@ -76,7 +76,7 @@ public final class SceneSaving {
         }
         if (saving > 0) {
             // The thread writes scenes one after the other: after this errand all of them are written.
-            errands.keepScene(
+            errands.keepFile(
                     () -> "",
                     _ -> afterSaving(action),
                     problem -> dialogs.complain("Couldn't keep the scene", Problems.explain(problem)));
@@ -146,7 +146,7 @@ public final class SceneSaving {
         }
         SceneHistory.Version version = document.toSave();
         saving++;
-        errands.keepScene(
+        errands.keepFile(
                 () -> {
                     if (known.isOverwrittenBy(file) && !isOwn(file)) {
                         return Optional.<EditedFile>empty();
@@ -186,7 +186,7 @@ public final class SceneSaving {
                 new Answer("Save as…", () -> saveAs(then)),
                 new Answer(
                         "Overwrite",
-                        () -> errands.keepScene(
+                        () -> errands.keepFile(
                                 () -> new EditedFile(file, FileMark.of(file)),
                                 seen -> saveTo(file, seen, then),
                                 this::complain)));

@@ -2,11 +2,13 @@ package dev.twister.gui.files;
 
 import dev.twister.gui.model.SettingsStore;
 import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.studio.Errands;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.ReadOnlyObjectProperty;
@@ -18,15 +20,22 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
  */
 public final class SettingsKeeper {
     private final SettingsStore store;
+    private final Errands errands;
     private final Consumer<String> complain;
     private final ReadOnlyObjectWrapper<WindowSettings> settings;
 
     /** Changes since the settings were last written. */
     private final List<UnaryOperator<WindowSettings>> changes = new ArrayList<>();
 
-    /** @param complain takes messages for the status line */
-    public SettingsKeeper(SettingsStore store, SettingsStore.Found found, Consumer<String> complain) {
+    /**
+     * The settings that were found.
+     *
+     * @param errands read and write the file
+     * @param complain takes messages for the status line
+     */
+    public SettingsKeeper(SettingsStore store, SettingsStore.Found found, Errands errands, Consumer<String> complain) {
         this.store = store;
+        this.errands = errands;
         this.complain = complain;
         settings = new ReadOnlyObjectWrapper<>(found.settings());
         found.message().ifPresent(complain);
@@ -53,24 +62,34 @@ public final class SettingsKeeper {
 
     /** Takes a file that no longer exists out of the menu of recent scenes. */
     void forgetIfGone(Path file) {
-        if (!Files.exists(file)) {
-            change(kept -> kept.withoutRecentScene(FileNames.absolute(file).toString()));
-        }
+        errands.run(
+                () -> Files.exists(file),
+                isThere -> {
+                    if (!isThere) {
+                        change(kept ->
+                                kept.withoutRecentScene(FileNames.absolute(file).toString()));
+                    }
+                },
+                _ -> {});
     }
 
-    /** Writes the settings on this thread: they have a few hundred bytes. */
+    /** Writes the changes in the background; closing the window waits for it. */
     public void write() {
-        try {
-            SettingsStore.Found found = store.read();
-            found.message().ifPresent(complain);
-            WindowSettings kept = found.settings();
-            for (UnaryOperator<WindowSettings> change : changes) {
-                kept = change.apply(kept);
-            }
-            store.write(kept);
-            changes.clear();
-        } catch (IOException problem) {
+        List<UnaryOperator<WindowSettings>> written = List.copyOf(changes);
+        changes.clear();
+        errands.keepFile(() -> write(written), message -> message.ifPresent(complain), problem -> {
+            changes.addAll(0, written);
             complain.accept("The window's settings are not kept: " + problem.getMessage());
+        });
+    }
+
+    private Optional<String> write(List<UnaryOperator<WindowSettings>> written) throws IOException {
+        SettingsStore.Found found = store.read();
+        WindowSettings kept = found.settings();
+        for (UnaryOperator<WindowSettings> change : written) {
+            kept = change.apply(kept);
         }
+        store.write(kept);
+        return found.message();
     }
 }

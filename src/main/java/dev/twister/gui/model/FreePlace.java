@@ -35,9 +35,6 @@ final class FreePlace {
     private static final double STEP = 0.4;
     private static final int STEPS = 24;
 
-    /** Part of the picture's sides that a large body may reach beyond. */
-    private static final double LARGEST_INSET = 0.25;
-
     /** The nearest ones first, and those beside the wanted place before those in front of it and behind it. */
     private static final List<Way> WAYS = IntStream.rangeClosed(-STEPS, STEPS)
             .boxed()
@@ -45,10 +42,21 @@ final class FreePlace {
             .sorted(Comparator.comparingDouble(Way::cost).thenComparing(Way::right, Comparator.reverseOrder()))
             .toList();
 
+    /** Costs of a place; see {@link #cost}. */
+    private static final int OUT_OF_SIGHT = 2;
+
+    private static final int OF_A_BODY = 4;
+
+    /** Of the picture's height: the radius of a body that may not be cut off. */
+    private static final double LARGE = 0.25;
+
     private final FrameInput input;
     private final Projection projection;
     private final BodyExtent body;
+
+    /** Without those around the camera, such as rooms. */
     private final List<BodyExtent> others;
+
     private final double ground;
     private final double standing;
 
@@ -77,6 +85,7 @@ final class FreePlace {
                         IntStream.range(0, scene.meshes().size()).map(BodyNumber::ofMesh))
                 .flatMapToInt(numbers -> numbers)
                 .mapToObj(number -> BodyExtent.of(scene, meshes, number))
+                .filter(other -> !other.isNear(BodyExtent.ball(projection.viewpoint(), 0), 0))
                 .toList();
     }
 
@@ -116,7 +125,7 @@ final class FreePlace {
         double down = (ground - projection.viewpoint().y()) / ray.direction(1);
         double meters = Math.max(2 * body.radius(), Math.min(met, down > 0 ? down : Double.POSITIVE_INFINITY));
         Vector3 near = standing(ray, Math.min(meters, DISTANCE));
-        return meters > DISTANCE && Double.isFinite(meters) && !isInPicture(near) ? standing(ray, meters) : near;
+        return meters > DISTANCE && Double.isFinite(meters) && !isInPicture(near, 1) ? standing(ray, meters) : near;
     }
 
     private Vector3 standing(PointerRay ray, double meters) {
@@ -147,31 +156,43 @@ final class FreePlace {
         return best;
     }
 
-    /** 0 for a free place in view; the number of bodies that are there where it is in view, and more elsewhere. */
+    /** 0 for a free place in view, more where the body is cut off, out of sight or where other bodies are. */
     private int cost(Vector3 place) {
         BodyExtent there = new BodyExtent(place, body.radius(), body.half());
         int taken =
                 (int) others.stream().filter(other -> there.isNear(other, GAP)).count();
-        return isInPicture(place) && isSeen(place) ? taken : 1 + others.size() + taken;
+        int atCamera = distance(place) < 2 * body.radius() ? 1 : 0;
+        return OF_A_BODY * (taken + atCamera) + (isSeen(place) ? cutOff(place) : OUT_OF_SIGHT);
     }
 
-    private boolean isInPicture(Vector3 place) {
+    private int cutOff(Vector3 place) {
+        return isInPicture(place, 1)
+                ? 0
+                : size(place) < LARGE * input.height() && isInPicture(place, 0) ? 1 : OUT_OF_SIGHT;
+    }
+
+    /** @param part of the radius that is in the picture to all sides */
+    private boolean isInPicture(Vector3 place, double part) {
         double[] pixel = projection.point(place);
-        if (pixel.length == 0 || distance(place) < 2 * body.radius()) {
-            return false;
-        }
-        double size = body.radius() * projection.pixelsPerMeter(place);
-        double acrossInset = Math.min(size, LARGEST_INSET * input.width());
-        double downInset = Math.min(size, LARGEST_INSET * input.height());
-        return pixel[0] >= acrossInset
-                && pixel[0] <= input.width() - acrossInset
-                && pixel[1] >= downInset
-                && pixel[1] <= input.height() - downInset;
+        double inset = part * size(place);
+        return pixel.length > 0
+                && pixel[0] >= inset
+                && pixel[0] <= input.width() - inset
+                && pixel[1] >= inset
+                && pixel[1] <= input.height() - inset;
+    }
+
+    /** The radius in pixels. */
+    private double size(Vector3 place) {
+        return body.radius() * projection.pixelsPerMeter(place);
     }
 
     /** Whether nothing hides it. */
     private boolean isSeen(Vector3 place) {
         double[] pixel = projection.point(place);
+        if (pixel.length == 0) {
+            return false;
+        }
         PointerRay ray = PointerRay.through(input, pixel[0], pixel[1]);
         return ray.body() == Layout.NOTHING || ray.distance() >= distance(place) - body.radius();
     }

@@ -56,12 +56,17 @@ public record WindowSettings(Map<String, Object> values) {
     public static final int USUAL_PANEL = 0;
 
     /** Of the panel, in the screen's units. */
-    public static final Key<Integer> PANEL_WIDTH = new Key<>(
-            "panelWidth",
-            USUAL_PANEL,
-            value -> value instanceof Integer width && width >= USUAL_PANEL && width <= MAX_SIDE
-                    ? Optional.of(width)
-                    : Optional.empty());
+    public static final Key<Integer> PANEL_WIDTH = number("panelWidth", USUAL_PANEL, USUAL_PANEL);
+
+    /** Whether the panel is in a window of its own. */
+    public static final Key<Boolean> PANEL_FLOATS = flag("panelFloats", false);
+
+    /** Where that window is on the screen, see {@link WindowPlace}. */
+    static final Key<Integer> PANEL_X = number("panelX", 0, -MAX_SIDE);
+
+    static final Key<Integer> PANEL_Y = number("panelY", 0, -MAX_SIDE);
+    static final Key<Integer> PANEL_WINDOW_WIDTH = number("panelWindowWidth", 0, 0);
+    static final Key<Integer> PANEL_WINDOW_HEIGHT = number("panelWindowHeight", 0, 0);
 
     /** Whether selected bodies have arrows that move them along an axis. */
     public static final Key<Boolean> AXIS_HANDLES = flag("axisHandles", true);
@@ -83,6 +88,11 @@ public record WindowSettings(Map<String, Object> values) {
             RECENT_SCENES,
             Q_UP,
             PANEL_WIDTH,
+            PANEL_FLOATS,
+            PANEL_X,
+            PANEL_Y,
+            PANEL_WINDOW_WIDTH,
+            PANEL_WINDOW_HEIGHT,
             AXIS_HANDLES,
             FOLDED,
             HINT_SEEN);
@@ -145,11 +155,15 @@ public record WindowSettings(Map<String, Object> values) {
     }
 
     private static Key<Integer> side(String name, int usual) {
+        return number(name, usual, MIN_SIDE);
+    }
+
+    private static Key<Integer> number(String name, int usual, int least) {
         return new Key<>(
                 name,
                 usual,
-                value -> value instanceof Integer side && side >= MIN_SIDE && side <= MAX_SIDE
-                        ? Optional.of(side)
+                value -> value instanceof Integer number && number >= least && number <= MAX_SIDE
+                        ? Optional.of(number)
                         : Optional.empty());
     }
 

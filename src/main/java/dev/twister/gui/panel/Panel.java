@@ -187,6 +187,7 @@ public final class Panel extends ScrollPane {
     void reveal(PanelRow row) {
         sections.stream().filter(section -> contains(section, row)).forEach(section -> section.fold(false));
         scrollTo(row);
+        getScene().getWindow().requestFocus();
         row.firstControl().requestFocus();
     }
 

@@ -3,6 +3,7 @@ package dev.twister.gui.panel;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.model.WindowSettings;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.Cursor;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.MouseEvent;
@@ -18,15 +19,16 @@ public final class PanelEdge extends Region {
     private final Region panel;
     private double grip;
 
-    public PanelEdge(Region panel, SettingsKeeper settings) {
+    /** @param docked whether the panel is shown beside it */
+    public PanelEdge(Region panel, ObservableValue<Boolean> docked, SettingsKeeper settings) {
         this.panel = panel;
         setId("panel-edge");
         getStyleClass().add("panel-edge");
         setMinWidth(WIDTH);
         setPrefWidth(WIDTH);
         setCursor(Cursor.H_RESIZE);
-        visibleProperty().bind(panel.visibleProperty());
-        managedProperty().bind(panel.visibleProperty());
+        visibleProperty().bind(docked);
+        managedProperty().bind(docked);
         Tooltip.install(
                 this, Tooltips.of("Drag to make the panel wider or narrower; double-click for its usual width."));
         setOnMousePressed(event -> grip = panel.getWidth() + event.getSceneX());

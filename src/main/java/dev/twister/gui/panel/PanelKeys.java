@@ -1,7 +1,6 @@
 package dev.twister.gui.panel;
 
 import javafx.event.ActionEvent;
-import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
@@ -16,22 +15,30 @@ public final class PanelKeys {
     private PanelKeys() {}
 
     /**
-     * Adds a filter to the window, which runs before its controls.
+     * Lets Enter lead back to the picture.
      *
-     * @param show shows the panel
+     * @param toPicture gives the picture the focus
      */
-    public static void install(Scene scene, Panel panel, Node picture, Runnable show) {
+    public static void leadBack(Panel panel, Runnable toPicture) {
         panel.addEventHandler(ActionEvent.ACTION, event -> {
             if (event.getTarget() instanceof TextField field && panel.isTaken(field)) {
-                picture.requestFocus();
+                toPicture.run();
             }
         });
         panel.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ENTER && event.getTarget() instanceof Slider) {
-                picture.requestFocus();
+                toPicture.run();
                 event.consume();
             }
         });
+    }
+
+    /**
+     * Adds a filter to a window, which runs before its controls.
+     *
+     * @param show shows the panel
+     */
+    public static void install(Scene scene, Panel panel, Runnable show) {
         scene.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
             panel.rowOf(event).ifPresent(row -> {
                 show.run();

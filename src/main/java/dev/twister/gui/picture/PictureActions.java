@@ -119,14 +119,20 @@ public final class PictureActions implements AutoCloseable {
 
     private void startRecording(Path folder) {
         lastFolder = folder;
-        try {
-            FrameRecorder started = FrameRecorder.start(folder);
+        errands.run(
+                () -> FrameRecorder.start(folder),
+                this::record,
+                problem -> dialogs.complain("Couldn't start recording", Problems.explain(problem)));
+    }
+
+    private void record(FrameRecorder started) {
+        if (recorder.get().isEmpty()) {
             // At rest no other picture may come.
             studio.pictureProperty().get().ifPresent(shown -> record(started, shown));
             studio.watch(picture -> record(started, picture));
             recorder.set(Optional.of(started));
-        } catch (IOException problem) {
-            dialogs.complain("Couldn't start recording", problem.getMessage());
+        } else {
+            started.close();
         }
     }
 

@@ -15,7 +15,7 @@ import javafx.application.Platform;
  */
 public final class Errands implements AutoCloseable {
     private final ExecutorService passing = thread("errands");
-    private final ExecutorService scenes = thread("scenes");
+    private final ExecutorService files = thread("files");
     private final ExecutorService pictures = thread("pictures");
 
     /** Each completes when its picture task has been passed to the thread. */
@@ -44,9 +44,12 @@ public final class Errands implements AutoCloseable {
         }
     }
 
-    /** Runs a task that writes a scene: closing the window waits for it, and other tasks do not delay it. */
-    public <T> void keepScene(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
-        scenes.execute(() -> doNow(errand, done, failed));
+    /**
+     * Runs a task that writes a scene or the settings: closing the window waits for it, and other tasks do not delay
+     * it.
+     */
+    public <T> void keepFile(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
+        files.execute(() -> doNow(errand, done, failed));
     }
 
     /** Runs a task that writes a picture once what it needs is complete; closing the window waits for it. */
@@ -79,7 +82,7 @@ public final class Errands implements AutoCloseable {
     public void close() {
         finish();
         passing.shutdown();
-        scenes.close();
+        files.close();
         handedOver.forEach(CompletableFuture::join);
         pictures.close();
     }

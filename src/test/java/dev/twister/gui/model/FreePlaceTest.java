@@ -176,11 +176,24 @@ class FreePlaceTest {
     }
 
     @Test
-    void whereABodyIsAroundEverythingTheOthersCount() {
+    void inARoomSpheresStandBesideEachOther() {
         Scene room = with(empty(0, 15), Sphere.of(Vector3.ZERO, 500, new Rgb(1, 1, 1), 0));
         Sphere first = sphere(room);
         Vector3 second = sphere(with(room, first)).position();
         assertThat(second.minus(first.position()).length()).isGreaterThan(3);
+    }
+
+    @Test
+    void whereThePictureIsFullSpheresStandOutOfItsSightRatherThanInEachOther() {
+        Scene full = empty(0, 15).withCamera(Camera.of(new Vector3(0, 2, -4), 0, 15, 60));
+        for (int number = 0; number < 4; number++) {
+            full = with(full, sphere(full));
+        }
+        for (Sphere sphere : full.spheres()) {
+            assertThat(full.spheres())
+                    .filteredOn(other -> !other.equals(sphere))
+                    .allMatch(other -> other.position().minus(sphere.position()).length() > 3);
+        }
     }
 
     @Test

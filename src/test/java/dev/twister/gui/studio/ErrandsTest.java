@@ -36,7 +36,7 @@ class ErrandsTest {
             errands.run(this::doLate, _ -> {}, _ -> {});
             errands.keepPicture(CompletableFuture.completedFuture(""), this::doLate, _ -> {}, _ -> {});
             begun.await();
-            errands.keepScene(
+            errands.keepFile(
                     () -> {
                         kept.countDown();
                         return "";
@@ -54,8 +54,8 @@ class ErrandsTest {
     void whatIsToBeKeptIsDoneBeforeTheEnd() throws InterruptedException {
         try (WindowDriver _ = WindowDriver.open()) {
             Errands errands = new Errands();
-            errands.keepScene(this::doLate, _ -> {}, _ -> {});
-            errands.keepScene(() -> done.add("kept"), _ -> {}, _ -> {});
+            errands.keepFile(this::doLate, _ -> {}, _ -> {});
+            errands.keepFile(() -> done.add("kept"), _ -> {}, _ -> {});
             begun.await();
             Thread closing = Thread.ofPlatform().start(errands::close);
             awaitState(closing, Thread.State.TIMED_WAITING);
