@@ -143,7 +143,7 @@ powershell -NoProfile -Command "$bytes = [IO.File]::ReadAllBytes((Join-Path $env
 "%jdk%\bin\java" "@%engine%\argfile" "@%TWISTER_HOME%\scripts\tornado.options" -version >nul 2>&1
 if errorlevel 1 goto wrong_sdk
 "%jdk%\bin\javac" -g -parameters -proc:none -nowarn -cp "%jar%" --module-path "%sdk%\share\java\tornado" --add-modules tornado.api -d "%engine%\classes" "%TWISTER_HOME%\src\tornado\java\dev\twister\engine\tornado\*.java" 1>&2
-if errorlevel 1 goto engine_failed
+if errorlevel 1 goto other_api
 xcopy /e /i /q /y "%TWISTER_HOME%\src\tornado\resources" "%engine%\classes" >nul
 if errorlevel 1 goto engine_failed
 move /y "%engine%\built-for.new" "%engine%\built-for" >nul
@@ -157,4 +157,9 @@ exit /b 1
 :wrong_sdk
 endlocal
 set "message=the TornadoVM SDK in %sdk% does not run on the JDK in %jdk%; going on without TornadoVM. Set JAVA_HOME to the JDK that the SDK is made for, or install an SDK made for this one"
+exit /b 2
+
+:other_api
+endlocal
+set "message=the TornadoVM SDK in %sdk% has another API than Twister's engine needs; javac's messages are above; going on without TornadoVM. Install an SDK that was tested (docs/devices.md)"
 exit /b 2

@@ -50,7 +50,7 @@ public final class Aspect {
     private Aspect() {}
 
     /** 1 if the value is known at the first hit, else 0. */
-    static int endsAtFirstHit(int variant) {
+    public static int endsAtFirstHit(int variant) {
         return (Variant.aspect(variant) > FULL ? 1 : 0) & (Variant.aspect(variant) < BOUNCES ? 1 : 0);
     }
 

@@ -44,17 +44,20 @@ public final class Emitter {
                 path[Layout.EMITTED] = looks[look + Layout.LOOK_EMISSION];
                 path[Layout.EMITTED + 1] = looks[look + Layout.LOOK_EMISSION + 1];
                 path[Layout.EMITTED + 2] = looks[look + Layout.LOOK_EMISSION + 2];
-                if (looks[emitter + Layout.EMITTER_TRIANGLE] < 0f) {
+                int isTriangle = isTriangle(emitter, looks, variant);
+                if (isTriangle == 0) {
                     towardSphere(path, body, first, second, bodies);
                     if ((variant & Variant.MAPS) != 0) {
                         EmissionMap.ofSphere(path, body, frame, bodies, looks, images);
                     }
                 }
-                if (looks[emitter + Layout.EMITTER_TRIANGLE] >= 0f) {
-                    towardTriangle(path, emitter, first, second, frame, bodies, looks, meshes);
-                    if ((variant & Variant.MAPS) != 0) {
-                        EmissionMap.ofTriangle(
-                                path, emitter, first, second, frame, bodies, looks, meshes, images, variant);
+                if ((variant & Variant.MESHES) != 0) {
+                    if (isTriangle != 0) {
+                        towardTriangle(path, emitter, first, second, frame, bodies, looks, meshes);
+                        if ((variant & Variant.MAPS) != 0) {
+                            EmissionMap.ofTriangle(
+                                    path, emitter, first, second, frame, bodies, looks, meshes, images, variant);
+                        }
                     }
                 }
             }
@@ -79,6 +82,14 @@ public final class Emitter {
             high = above != 0 ? high : middle;
         }
         return start + Layout.EMITTER_STRIDE * low;
+    }
+
+    private static int isTriangle(int emitter, float[] looks, int variant) {
+        int isTriangle = 0;
+        if ((variant & Variant.MESHES) != 0) {
+            isTriangle = looks[emitter + Layout.EMITTER_TRIANGLE] >= 0f ? 1 : 0;
+        }
+        return isTriangle;
     }
 
     /** A direction of the cone that a sphere fills (Shirley, Wang and Zimmerman 1996); none from inside. */

@@ -364,16 +364,21 @@ public final class Layout {
     public static final int CANDIDATE_STRIDE = 4;
 
     /**
-     * {@code float[] scratch}, one per thread: a shadow's stored candidates, then the traversal stack (two floats per
-     * level).
+     * {@code float[] scratch}, one per thread, with two uses that take turns. While a ray looks for its hit: the
+     * traversal stacks over bodies and within a mesh (two floats per level). While a shadow is found: the stored
+     * candidates, then the stacks over bodies and within a mesh (one float per level).
      */
-    public static final int SCRATCH_STACK = CANDIDATE_STRIDE * MOST_CANDIDATES;
+    public static final int SCRATCH_STACK = 0;
+
+    public static final int SCRATCH_RAY_NODES = 2 * MOST_ANCESTORS;
+    public static final int SCRATCH_SHADOW_STACK = CANDIDATE_STRIDE * MOST_CANDIDATES;
+    public static final int SCRATCH_SHADOW_NODES = SCRATCH_SHADOW_STACK + MOST_ANCESTORS;
 
     /**
      * With materials of any kind the scratch continues with the transmission of each stored candidate, then the waiting
      * rays.
      */
-    public static final int SCRATCH_TRANSMISSIONS = SCRATCH_STACK + 2 * MOST_ANCESTORS;
+    public static final int SCRATCH_TRANSMISSIONS = SCRATCH_SHADOW_NODES + MOST_ANCESTORS;
 
     public static final int SCRATCH_RAYS = SCRATCH_TRANSMISSIONS + MOST_CANDIDATES;
 
@@ -382,11 +387,6 @@ public final class Layout {
 
     /** Length of a waiting ray: the first floats of its path. */
     public static final int RAY_STRIDE = 13;
-
-    /** Traversal stacks within meshes; a ray's stack shares the place of a shadow's candidates. */
-    public static final int SCRATCH_RAY_NODES = 0;
-
-    public static final int SCRATCH_SHADOW_NODES = SCRATCH_STACK + MOST_ANCESTORS;
 
     /** Length of the scratch if all materials are plain and there are no meshes. */
     public static final int PLAIN_SCRATCH_LENGTH = SCRATCH_TRANSMISSIONS;

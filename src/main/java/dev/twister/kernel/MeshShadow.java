@@ -45,7 +45,7 @@ final class MeshShadow {
                         path, bodies, other, leastX, leastY, leastZ, greatestX, greatestY, greatestZ, growth);
                 int both = (first < end ? 1 : 0) & (second < end ? 1 : 0);
                 if (both != 0) {
-                    scratch[Layout.SCRATCH_STACK + waiting] = (int) bodies[node + Layout.NODE_LINK] + 1;
+                    scratch[Layout.SCRATCH_SHADOW_STACK + waiting] = (int) bodies[node + Layout.NODE_LINK] + 1;
                     waiting = waiting + 1;
                 }
                 int only = second < end ? other : Layout.NO_NODE;
@@ -55,7 +55,7 @@ final class MeshShadow {
             }
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
-                next = nodes + Layout.NODE_STRIDE * (int) scratch[Layout.SCRATCH_STACK + waiting];
+                next = nodes + Layout.NODE_STRIDE * (int) scratch[Layout.SCRATCH_SHADOW_STACK + waiting];
             }
             node = met == 0 ? next : Layout.NO_NODE;
         }
@@ -117,7 +117,7 @@ final class MeshShadow {
                         growth);
                 int both = (first <= 1f ? 1 : 0) & (second <= 1f ? 1 : 0);
                 if (both != 0) {
-                    scratch[Layout.SCRATCH_STACK + waiting] = link + 1;
+                    scratch[Layout.SCRATCH_SHADOW_STACK + waiting] = link + 1;
                     waiting = waiting + 1;
                 }
                 int only = second <= 1f ? child + Layout.NODE_STRIDE : Layout.NO_NODE;
@@ -143,7 +143,7 @@ final class MeshShadow {
             }
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
-                next = nodes + Layout.NODE_STRIDE * (int) scratch[Layout.SCRATCH_STACK + waiting];
+                next = nodes + Layout.NODE_STRIDE * (int) scratch[Layout.SCRATCH_SHADOW_STACK + waiting];
             }
             node = light > 0f ? next : Layout.NO_NODE;
         }

@@ -273,7 +273,7 @@ public final class Shadow {
                 float near = second < first ? second : first;
                 float far = second < first ? first : second;
                 if (far < end) {
-                    scratch[Layout.SCRATCH_STACK + waiting] = link + Layout.NODE_STRIDE - swapped;
+                    scratch[Layout.SCRATCH_SHADOW_STACK + waiting] = link + Layout.NODE_STRIDE - swapped;
                     waiting = waiting + 1;
                 }
                 next = near < end ? link + swapped : Layout.NO_NODE;
@@ -283,7 +283,7 @@ public final class Shadow {
             }
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
-                next = (int) scratch[Layout.SCRATCH_STACK + waiting];
+                next = (int) scratch[Layout.SCRATCH_SHADOW_STACK + waiting];
             }
             int known = (count == ALL_HIDDEN ? 1 : 0) | (count > Layout.MOST_CANDIDATES ? 1 : 0);
             node = known == 0 ? next : Layout.NO_NODE;

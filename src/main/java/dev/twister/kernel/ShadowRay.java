@@ -92,7 +92,7 @@ public final class ShadowRay {
                         growth);
                 int both = (first < end ? 1 : 0) & (second < end ? 1 : 0);
                 if (both != 0) {
-                    scratch[Layout.SCRATCH_STACK + waiting] = link + Layout.NODE_STRIDE;
+                    scratch[Layout.SCRATCH_SHADOW_STACK + waiting] = link + Layout.NODE_STRIDE;
                     waiting = waiting + 1;
                 }
                 int only = second < end ? link + Layout.NODE_STRIDE : Layout.NO_NODE;
@@ -124,7 +124,7 @@ public final class ShadowRay {
             }
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
-                next = (int) scratch[Layout.SCRATCH_STACK + waiting];
+                next = (int) scratch[Layout.SCRATCH_SHADOW_STACK + waiting];
             }
             node = light > 0f ? next : Layout.NO_NODE;
         }

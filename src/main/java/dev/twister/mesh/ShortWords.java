@@ -17,7 +17,7 @@ final class ShortWords {
         }
         long key = 0;
         for (int i = 0; i < count; i++) {
-            key = key << Byte.SIZE | bytes[from + i] & 0xff;
+            key = (key << Byte.SIZE) | (bytes[from + i] & 0xff);
         }
         int slot = TableHash.of((int) key, (int) (key >>> 32), count) & SLOTS - 1;
         if (keys[slot] != key) {

@@ -15,7 +15,7 @@ import java.util.Arrays;
  */
 public final class SphereHierarchy {
     /** With fewer spheres a loop over all is at least as fast; see {@code docs/decisions/010}. */
-    static final int FEWEST_SPHERES = 16;
+    public static final int FEWEST_SPHERES = 16;
 
     /** Testing eight spheres takes about as long as testing two boxes and their content. */
     private static final int MOST_IN_LEAF = 8;

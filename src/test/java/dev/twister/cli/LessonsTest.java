@@ -80,7 +80,7 @@ class LessonsTest {
         String name = words.get(place);
         assertThat(text).contains("](" + name + ")");
         words.set(place, folder.resolve(name).toString());
-        words.addAll(List.of("--engine", "sequential"));
+        words.addAll(List.of("--engine", "parallel"));
         Outcome outcome = Outcome.of(words.toArray(String[]::new));
         assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCode.OK);
         assertThat(pixels(folder.resolve(name))).isEqualTo(pixels(FOLDER.resolve(name)));

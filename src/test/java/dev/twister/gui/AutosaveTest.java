@@ -13,6 +13,7 @@ import dev.twister.scene.format.SceneWriter;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import javafx.scene.input.KeyCode;
@@ -34,7 +35,7 @@ class AutosaveTest {
     void writeTheScene() {
         file = parent.resolve("mine.json");
         SceneWriter.write(scene, file);
-        folder = new AutosaveFolder(Optional.of(parent.resolve("autosave")));
+        folder = new AutosaveFolder(Optional.of(parent.resolve("autosave")), Duration.ZERO);
     }
 
     private static Scene changed(Scene scene) {

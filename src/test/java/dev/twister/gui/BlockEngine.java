@@ -7,6 +7,7 @@ import dev.twister.engine.JvmKernel;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
+import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
@@ -14,7 +15,7 @@ import java.util.stream.IntStream;
  * color. For tests that need a picture at once and do not read single pixels.
  */
 final class BlockEngine implements Engine {
-    private static final int SIDE = 4;
+    private static final int SIDE = 8;
 
     private static final int CHANNELS = 3;
 
@@ -48,32 +49,30 @@ final class BlockEngine implements Engine {
     private static void drawBlocks(FrameInput input, Frame frame, int firstRow) {
         JvmKernel kernel = new JvmKernel();
         int width = frame.width();
+        int layers = frame.layerCount();
         int endRow = Math.min(firstRow + SIDE, frame.height());
         for (int column = 0; column < width; column += SIDE) {
             kernel.drawRow(input, frame, firstRow, column, column + 1);
             int drawn = width * firstRow + column;
-            int endColumn = Math.min(column + SIDE, width);
+            int columns = Math.min(SIDE, width - column);
             for (int row = firstRow; row < endRow; row++) {
-                for (int pixel = width * row + column; pixel < width * row + endColumn; pixel++) {
-                    copy(frame, drawn, pixel);
+                int first = width * row + column;
+                if (frame.isLinear()) {
+                    fill(frame.radiance(), 0, drawn, first, columns);
+                } else {
+                    Arrays.fill(frame.argb(), first, first + columns, frame.argb()[drawn]);
+                }
+                for (int layer = 0; layer < layers; layer++) {
+                    fill(frame.layers(), frame.firstOf(layer), drawn, first, columns);
                 }
             }
         }
     }
 
-    private static void copy(Frame frame, int from, int to) {
-        if (frame.isLinear()) {
-            copy(frame.radiance(), 0, from, to);
-        } else {
-            frame.argb()[to] = frame.argb()[from];
+    private static void fill(float[] values, int layer, int drawn, int first, int columns) {
+        for (int pixel = first; pixel < first + columns; pixel++) {
+            System.arraycopy(values, layer + CHANNELS * drawn, values, layer + CHANNELS * pixel, CHANNELS);
         }
-        for (int layer = 0; layer < frame.layerCount(); layer++) {
-            copy(frame.layers(), frame.firstOf(layer), from, to);
-        }
-    }
-
-    private static void copy(float[] values, int first, int from, int to) {
-        System.arraycopy(values, first + CHANNELS * from, values, first + CHANNELS * to, CHANNELS);
     }
 
     @Override

@@ -12,6 +12,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import javafx.scene.control.Button;
@@ -64,7 +65,8 @@ class DiskAccessTest {
     private void openEditAndSave(Path other) throws IOException {
         Path start = folder.resolve("start.json");
         copy(start);
-        AutosaveFolder autosaves = new AutosaveFolder(Optional.of(Files.createDirectory(folder.resolve("autosaves"))));
+        AutosaveFolder autosaves =
+                new AutosaveFolder(Optional.of(Files.createDirectory(folder.resolve("autosaves"))), Duration.ZERO);
         SettingsStore settings = new SettingsStore(Optional.of(folder.resolve("settings")));
         WindowDriver driver = WindowDriver.open(new OpenedScene(start, SceneReader.read(start)), settings, autosaves);
         try {

@@ -23,7 +23,7 @@ class EngineChangeTest {
                         .contains(offer.id()))
                 .toList();
         try (WindowDriver driver = WindowDriver.open()) {
-            for (int i = 0; i < 20; i++) {
+            for (int i = 0; i < 9; i++) {
                 EngineOffer offer = jvm.get(i % jvm.size());
                 driver.run(() -> driver.studio.chooseEngine(offer));
                 DrawnPicture picture =
@@ -32,7 +32,7 @@ class EngineChangeTest {
                 assertThat(picture.isWhole()).isTrue();
             }
             driver.await(
-                    () -> driver.text("facts").contains(jvm.get(19 % jvm.size()).id()));
+                    () -> driver.text("facts").contains(jvm.get(8 % jvm.size()).id()));
             // Told after the picture.
             driver.await(() -> driver.text("message").isEmpty());
         }

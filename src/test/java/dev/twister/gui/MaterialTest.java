@@ -19,6 +19,7 @@ import dev.twister.world.Bodies;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Optional;
@@ -222,7 +223,7 @@ class MaterialTest {
         Path autosaves = Files.createDirectory(folder.resolve("autosaves"));
         Path file = folder.resolve("scene.json");
         OpenedScene opened = new OpenedScene(file, scene());
-        try (WindowDriver own = WindowDriver.open(opened, new AutosaveFolder(Optional.of(autosaves)))) {
+        try (WindowDriver own = WindowDriver.open(opened, new AutosaveFolder(Optional.of(autosaves), Duration.ZERO))) {
             own.run(() -> own.studio.edit(
                     "preset", scene -> BodyMaterials.edited(scene, FIRST, MaterialPreset.GLASS::appliedTo)));
             own.await(() -> autosaved(autosaves).isPresent());

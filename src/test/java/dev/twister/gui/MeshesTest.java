@@ -26,6 +26,7 @@ import dev.twister.scene.format.SceneWriter;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import javafx.geometry.Bounds;
@@ -313,8 +314,8 @@ class MeshesTest {
     void editsOfMeshesAreAutosavedAndSaved() throws IOException {
         Path autosaves = Files.createDirectory(folder.resolve("autosaves"));
         Path file = folder.resolve("scene.json");
-        try (WindowDriver own =
-                WindowDriver.open(new OpenedScene(file, scene()), new AutosaveFolder(Optional.of(autosaves)))) {
+        try (WindowDriver own = WindowDriver.open(
+                new OpenedScene(file, scene()), new AutosaveFolder(Optional.of(autosaves), Duration.ZERO))) {
             own.run(() -> own.studio.edit("move", scene -> BodyEdits.moved(scene, FIRST, new Vector3(3, 0, 0))));
             own.await(() -> autosaved(autosaves).isPresent());
             Scene kept = SceneReader.read(autosaved(autosaves).orElseThrow());

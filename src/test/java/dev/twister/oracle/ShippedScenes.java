@@ -25,6 +25,8 @@ public final class ShippedScenes {
 
     private static final int FEW_SAMPLES = 4;
 
+    private static final boolean LARGE = "large".equals(System.getProperty("twister.oracle"));
+
     private ShippedScenes() {}
 
     /** File names without {@code .json}. */
@@ -55,8 +57,9 @@ public final class ShippedScenes {
     }
 
     /**
-     * A version that the oracle renders quickly: at most 48 shadow samples, thousands of spheres at 96 x 54 with 4,
-     * thousands of triangles at 32 x 18 with 1 and 2 bounces. No paths are traced.
+     * A version that the oracle renders quickly: 160 x 90 pixels with at most 48 shadow samples, thousands of spheres
+     * at 64 x 36 with 4, thousands of triangles at 32 x 18 with 1 and 2 bounces. With {@code -Dtwister.oracle=large},
+     * spheres are seen at 320 x 180 and 96 x 54. No paths are traced.
      */
     public static LitScene quick(String name) {
         LitScene small = small(name);
@@ -75,8 +78,11 @@ public final class ShippedScenes {
                             .withBounces(2));
         }
         return small.scene().spheres().size() > MANY_SPHERES
-                ? with(small, settings.withSize(96, 54).withShadowSamples(4))
-                : with(small, settings.withShadowSamples(Math.min(settings.shadowSamples(), 48)));
+                ? with(small, (LARGE ? settings.withSize(96, 54) : settings.withSize(64, 36)).withShadowSamples(4))
+                : with(
+                        small,
+                        (LARGE ? settings : settings.withSize(160, 90))
+                                .withShadowSamples(Math.min(settings.shadowSamples(), 48)));
     }
 
     private static LitScene read(String name) {

@@ -14,7 +14,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.concurrent.TimeUnit;
 import javafx.application.Platform;
 
 /**
@@ -22,10 +21,8 @@ import javafx.application.Platform;
  * by JavaFX's thread; files are written on another.
  */
 public final class AutosaveKeeper implements AutoCloseable {
-    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
-
-    /** Delay from an edit to writing it, together with later edits. */
-    private static final long DELAY_NANOS = TimeUnit.SECONDS.toNanos(3);
+    /** It looks for edits this many times in the delay. */
+    private static final int LOOKS = 6;
 
     /** Writing takes at most one part in this many of the time, so that large scenes are written less often. */
     private static final int REST = 10;
@@ -79,7 +76,7 @@ public final class AutosaveKeeper implements AutoCloseable {
 
     /** Called in every pulse. */
     public void pulse(long nanos) {
-        if (folder.folder().isEmpty() || nanos - lookedNanos < LOOK_NANOS) {
+        if (folder.folder().isEmpty() || LOOKS * (nanos - lookedNanos) < delayNanos()) {
             return;
         }
         lookedNanos = nanos;
@@ -95,13 +92,17 @@ public final class AutosaveKeeper implements AutoCloseable {
         }
         if (waitingSince.isEmpty()) {
             waitingSince = Optional.of(nanos);
-        } else if (nanos - waitingSince.get() >= Math.max(DELAY_NANOS, REST * writeNanos)) {
+        } else if (nanos - waitingSince.get() >= Math.max(delayNanos(), REST * writeNanos)) {
             waitingSince = Optional.empty();
             writing = true;
             kept = Optional.of(now);
             EditedFile file = studio.document().fileProperty().get();
             thread.execute(() -> write(now, file));
         }
+    }
+
+    private long delayNanos() {
+        return folder.delay().toNanos();
     }
 
     private void write(SceneHistory.Version version, EditedFile file) {

@@ -27,13 +27,19 @@ import java.util.UUID;
  * was edited and is locked while the editing process lives. Several processes share the folder.
  *
  * @param folder created when first needed; empty if this user has none, and then nothing is kept
+ * @param delay from an edit to writing it, together with later edits
  */
-public record AutosaveFolder(Optional<Path> folder) {
+public record AutosaveFolder(Optional<Path> folder, Duration delay) {
     private static final String SCENE = ".json";
     private static final String LOCK = ".lock";
 
     /** Much longer than it takes to lock the new file and to write its scene. */
     private static final Duration BEGUN = Duration.ofMinutes(10);
+
+    /** Edits are written after 3 seconds. */
+    public AutosaveFolder(Optional<Path> folder) {
+        this(folder, Duration.ofSeconds(3));
+    }
 
     public static AutosaveFolder ofThisUser() {
         return new AutosaveFolder(UserFolder.STATE.ofThisUser().map(own -> own.resolve("autosave")));

@@ -61,7 +61,7 @@ class SceneFilePropertyTest {
         }
     }
 
-    @Property(tries = 200, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 60, edgeCases = EdgeCasesMode.NONE)
     void whatIsWrittenReadsBackEqualAndIsWrittenAlike(@ForAll("scenes") Scene scene) throws IOException {
         Path file = SampleScene.put(FOLDER, "").resolveSibling("written.json");
 

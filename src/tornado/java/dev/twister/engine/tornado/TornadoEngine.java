@@ -34,8 +34,14 @@ final class TornadoEngine implements Engine {
         this.name = name;
         this.device = device;
         this.kernel = kernel;
-        groups = new WorkGroups(
-                device.getDeviceType(), device.getPhysicalDevice().getDeviceMaxWorkGroupSize()[0]);
+        groups = new WorkGroups(device.getDeviceType(), mostItemsOfAGroup(device));
+    }
+
+    /** TornadoVM's virtual devices, for which kernels are only printed, do not say it. */
+    private static long mostItemsOfAGroup(TornadoDevice device) {
+        return Optional.ofNullable(device.getPhysicalDevice().getDeviceMaxWorkGroupSize())
+                .map(most -> most[0])
+                .orElse(Long.MAX_VALUE);
     }
 
     @Override

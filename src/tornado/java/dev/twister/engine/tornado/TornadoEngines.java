@@ -45,7 +45,7 @@ public final class TornadoEngines implements EngineProvider {
         } catch (VirtualMachineError e) {
             throw e;
         } catch (RuntimeException | Error e) {
-            return List.of(impossible(explain(e, System.getProperty(RUNTIME_PROPERTY) != null)));
+            return List.of(impossible(explain(e, System.getProperty(RUNTIME_PROPERTY) != null) + untested()));
         }
     }
 
@@ -75,6 +75,7 @@ public final class TornadoEngines implements EngineProvider {
     private static synchronized List<EngineOffer> found() {
         TornadoOptions.set();
         TornadoRuntime runtime = TornadoRuntimeProvider.getTornadoRuntime();
+        String description = DESCRIPTION + untested();
         List<EngineOffer> offers = new ArrayList<>();
         for (int driver = 0; driver < runtime.getNumBackends(); driver++) {
             TornadoBackend backend = runtime.getBackend(driver);
@@ -82,13 +83,21 @@ public final class TornadoEngines implements EngineProvider {
                 TornadoDevice device = backend.getDevice(index);
                 String id = MissingTornado.TORNADO + ":" + driver + ":" + index;
                 String name = name(device);
-                EngineOffer offer = EngineOffer.working(id, name, DESCRIPTION, () -> open(id, name, device));
+                EngineOffer offer = EngineOffer.working(id, name, description, () -> open(id, name, device));
                 offers.add(driverVersion(device.getPhysicalDevice().getDeviceInfo())
                         .map(offer::withDriver)
                         .orElse(offer));
             }
         }
         return offers;
+    }
+
+    /** What to add to a sentence where the SDK is newer than what was tested. */
+    private static String untested() {
+        return SdkVersion.installed()
+                .flatMap(SdkVersion::warning)
+                .map(warning -> ". " + warning)
+                .orElse("");
     }
 
     private static Engine open(String id, String name, TornadoDevice device) {

@@ -5,6 +5,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.kernel.Variant;
 import dev.twister.scene.Rendering;
+import dev.twister.world.SphereHierarchy;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 import uk.ac.manchester.tornado.api.types.arrays.FloatArray;
@@ -12,8 +13,7 @@ import uk.ac.manchester.tornado.api.types.arrays.IntArray;
 
 /** The code that TornadoVM compiles; public for {@link DeviceClassLoader}. */
 public final class TornadoKernel implements Supplier<DrawTask> {
-    /** Scratch length for few plain spheres, which fit one leaf, so no node waits. */
-    static final int FEW_SCRATCH = Layout.CANDIDATE_STRIDE * 32;
+    static final int FEW_SCRATCH = Layout.CANDIDATE_STRIDE * SphereHierarchy.FEWEST_SPHERES;
 
     /** Place in {@code frame}, behind all else, of the number of the first pixel in {@code pixels}. */
     static final int FIRST_PIXEL = Layout.DISC
@@ -58,9 +58,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                 int layered = Aspect.isLayered(variant);
                 int guidedPath = layered != 0 ? Layout.LAYERED_PATH_LENGTH : Layout.GUIDED_PATH_LENGTH;
                 float[] path = new float[Aspect.isGuided(variant) != 0 ? guidedPath : usualPath];
-                int plainScratch = (variant & Variant.WALK) == 0 ? FEW_SCRATCH : Layout.PLAIN_SCRATCH_LENGTH;
-                int usualScratch = isPlain != 0 ? plainScratch : Layout.SCRATCH_LENGTH;
-                float[] scratch = new float[layered != 0 ? Layout.LAYERED_SCRATCH_LENGTH : usualScratch];
+                float[] scratch = new float[scratchLength(variant)];
                 PixelKernel.draw(column, row, path, scratch, frame, bodies, looks, meshes, images, variant);
                 int pixel = row * width + column;
                 if ((variant & Variant.LINEAR) != 0) {
@@ -74,5 +72,19 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                 }
             }
         }
+    }
+
+    /** Floats of scratch that a variant needs. */
+    private static int scratchLength(int variant) {
+        int hasMeshes = variant & Variant.MESHES;
+        int isTraced = (variant & Variant.PATH) != 0 ? 1 - Aspect.endsAtFirstHit(variant) : 0;
+        // Traced paths have no stored candidates and no waiting rays.
+        int traced = hasMeshes != 0 ? Layout.SCRATCH_RAY_NODES + 2 * Layout.MOST_ANCESTORS : Layout.SCRATCH_RAY_NODES;
+        // Few spheres have no hierarchy, and are all candidates at most.
+        int spheres = (variant & Variant.WALK) != 0 ? Layout.SCRATCH_SHADOW_NODES : FEW_SCRATCH;
+        int plain = hasMeshes != 0 ? Layout.SCRATCH_TRANSMISSIONS : spheres;
+        int shaded = (variant & Variant.MATERIALS) != 0 ? Layout.SCRATCH_LENGTH : plain;
+        int usual = isTraced != 0 ? traced : shaded;
+        return Aspect.isLayered(variant) != 0 ? Layout.LAYERED_SCRATCH_LENGTH : usual;
     }
 }
