@@ -38,6 +38,11 @@ public enum Jit {
     /** The JVM option that replaces C2 by Graal. */
     static final String USES_GRAAL = "UseJVMCICompiler";
 
+    /** The one that compiles this JVM's code. */
+    public static Jit running() {
+        return JvmOptions.value(USES_GRAAL).filter("true"::equals).isPresent() ? GRAAL : C2;
+    }
+
     /** Name for commands and reports. */
     public String id() {
         return name().toLowerCase(Locale.ROOT);

@@ -1,7 +1,6 @@
 package dev.twister.bench;
 
 import com.sun.management.OperatingSystemMXBean;
-import dev.twister.engine.JvmOptions;
 import dev.twister.engine.Processor;
 import dev.twister.files.TwisterVersion;
 import java.lang.management.ManagementFactory;
@@ -58,7 +57,6 @@ public record MachineInfo(
     }
 
     private static String compilerAndJvm() {
-        boolean graal = JvmOptions.value(Jit.USES_GRAAL).filter("true"::equals).isPresent();
-        return (graal ? "Graal" : "C2") + ", " + System.getProperty("java.vm.name", "unknown JVM");
+        return (Jit.running() == Jit.GRAAL ? "Graal" : "C2") + ", " + System.getProperty("java.vm.name", "unknown JVM");
     }
 }

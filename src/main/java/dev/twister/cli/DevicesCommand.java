@@ -1,6 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.bench.DeviceCheckPlan;
+import dev.twister.bench.Jit;
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.denoise.Denoisers;
 import dev.twister.engine.EngineOffer;
@@ -100,6 +101,7 @@ final class DevicesCommand implements Callable<Integer> {
         offers.stream().filter(EngineOffer::works).forEach(offer -> print(out, offer, idWidth));
         out.println();
         out.println(autoLine(fastest.remembered(offers), fastest.day(offers)));
+        jitLine(Jit.running()).ifPresent(out::println);
         if (offers.stream().anyMatch(offer -> !offer.works())) {
             out.println();
             out.println("These do not:");
@@ -125,6 +127,13 @@ final class DevicesCommand implements Callable<Integer> {
                         + day.map(measured -> ", measured on " + measured).orElse("") + ".")
                 .orElse("auto has not been measured here yet; 'twister devices --measure' does that and says what it"
                         + " takes.");
+    }
+
+    static Optional<String> jitLine(Jit jit) {
+        return jit == Jit.GRAAL
+                ? Optional.of("Graal compiles here, with which vector is many times slower than with C2;"
+                        + " -XX:-UseJVMCICompiler chooses C2.")
+                : Optional.empty();
     }
 
     private static void printTime(PrintWriter out, FastestEngine.Time time) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.ChildJvm;
+import dev.twister.bench.Jit;
 import dev.twister.image.PngWriter;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
@@ -75,6 +76,12 @@ class CommandsTest {
 
         assertThat(outcome.exitCode()).isZero();
         assertThat(outcome.out()).contains("These engines work here:", "sequential", "parallel", "tornado");
+    }
+
+    @Test
+    void devicesTellThatVectorIsSlowWithGraal() {
+        assertThat(DevicesCommand.jitLine(Jit.GRAAL).orElseThrow()).contains("slow", "-XX:-UseJVMCICompiler");
+        assertThat(DevicesCommand.jitLine(Jit.C2)).isEmpty();
     }
 
     @Test

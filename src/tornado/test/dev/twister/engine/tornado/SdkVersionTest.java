@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,7 +28,8 @@ class SdkVersionTest {
     void testedAndOlderVersionsGiveNone(String version) throws IOException {
         release("version=" + version + "\n");
 
-        assertThat(SdkVersion.of(sdk).map(SdkVersion::warning)).contains(Optional.empty());
+        assertThat(SdkVersion.of(sdk)).isPresent();
+        assertThat(SdkVersion.of(sdk).flatMap(SdkVersion::warning)).isEmpty();
     }
 
     @ParameterizedTest
