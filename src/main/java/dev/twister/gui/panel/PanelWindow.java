@@ -16,7 +16,6 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.Pane;
 import javafx.scene.layout.StackPane;
-import javafx.scene.paint.Color;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
@@ -46,7 +45,7 @@ public final class PanelWindow {
     private final Node picture;
     private final SettingsKeeper settings;
     private final StackPane holder = new StackPane();
-    private final Scene scene = new Scene(holder, WIDTH, HEIGHT, Color.web("#1e1f22"));
+    private final Scene scene = new Scene(holder, WIDTH, HEIGHT);
     private final Stage stage = new Stage();
     private final ReadOnlyBooleanWrapper floating = new ReadOnlyBooleanWrapper();
     private final BooleanBinding docked;
