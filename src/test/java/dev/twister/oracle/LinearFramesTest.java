@@ -34,10 +34,10 @@ class LinearFramesTest {
     @ParameterizedTest
     @MethodSource("names")
     void radianceIsTheOracles(String name) {
-        LitScene quick = ShippedScenes.quick(name);
-        float[] actual = Pictures.radiance(JvmEngines.SEQUENTIAL, quick);
-        Oracle oracle = new Oracle(quick);
-        int width = quick.scene().rendering().width();
+        LitScene large = ShippedScenes.large(name);
+        float[] actual = Pictures.radiance(JvmEngines.SEQUENTIAL, large);
+        Oracle oracle = new Oracle(large);
+        int width = large.scene().rendering().width();
         int pixels = actual.length / 3;
         long differing = IntStream.range(0, pixels)
                 .parallel()

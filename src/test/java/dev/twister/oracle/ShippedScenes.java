@@ -25,7 +25,7 @@ public final class ShippedScenes {
 
     private static final int FEW_SAMPLES = 4;
 
-    private static final boolean LARGE = "large".equals(System.getProperty("twister.oracle"));
+    private static final boolean ALWAYS_LARGE = "large".equals(System.getProperty("twister.oracle"));
 
     private ShippedScenes() {}
 
@@ -62,6 +62,15 @@ public final class ShippedScenes {
      * spheres are seen at 320 x 180 and 96 x 54. No paths are traced.
      */
     public static LitScene quick(String name) {
+        return reduced(name, ALWAYS_LARGE);
+    }
+
+    /** What {@link #quick} gives with {@code -Dtwister.oracle=large}. */
+    static LitScene large(String name) {
+        return reduced(name, true);
+    }
+
+    private static LitScene reduced(String name, boolean large) {
         LitScene small = small(name);
         Rendering settings = small.scene().rendering();
         int meshes = small.scene().meshes().size();
@@ -78,10 +87,10 @@ public final class ShippedScenes {
                             .withBounces(2));
         }
         return small.scene().spheres().size() > MANY_SPHERES
-                ? with(small, (LARGE ? settings.withSize(96, 54) : settings.withSize(64, 36)).withShadowSamples(4))
+                ? with(small, (large ? settings.withSize(96, 54) : settings.withSize(64, 36)).withShadowSamples(4))
                 : with(
                         small,
-                        (LARGE ? settings : settings.withSize(160, 90))
+                        (large ? settings : settings.withSize(160, 90))
                                 .withShadowSamples(Math.min(settings.shadowSamples(), 48)));
     }
 
