@@ -99,6 +99,7 @@ class RoomsTest {
                         "gui.model",
                         "files",
                         "denoise",
+                        "mesh",
                         "scene",
                         "scene.format",
                         "sky",

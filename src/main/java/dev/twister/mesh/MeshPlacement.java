@@ -51,7 +51,7 @@ public final class MeshPlacement {
      *
      * @param turn a rotation about the origin
      */
-    static Rotation angles(Affine turn) {
+    public static Rotation angles(Affine turn) {
         double sine = Math.clamp(-turn.axisZ().y(), -1, 1);
         boolean upright = Math.abs(sine) < STEEP;
         double yaw = upright

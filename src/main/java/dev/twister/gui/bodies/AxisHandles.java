@@ -155,9 +155,7 @@ public final class AxisHandles extends Group {
 
     private List<AxisHandle> seen(Projection projection, Vector3 middle) {
         PicturePlace place = view.place();
-        double pixels =
-                place.toPicture(LENGTH, 0).getX() - place.toPicture(0, 0).getX();
-        return AxisHandle.of(projection, middle, pixels).stream()
+        return AxisHandle.of(projection, middle, place.toPicture(LENGTH)).stream()
                 .map(handle ->
                         new AxisHandle(handle.axis(), inView(place, handle.middle()), inView(place, handle.tip())))
                 .toList();

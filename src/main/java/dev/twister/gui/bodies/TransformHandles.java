@@ -122,14 +122,12 @@ public final class TransformHandles extends Group {
         Optional<DrawnPicture> picture = studio.pictureProperty().get();
         Optional<Projection> projection = picture.map(drawn -> Projection.of(drawn.input()));
         PicturePlace place = view.place();
-        double pixels =
-                place.toPicture(RADIUS, 0).getX() - place.toPicture(0, 0).getX();
         Optional<Point2D> seen = body.flatMap(at -> projection.map(to -> to.point(at)))
                 .filter(pixel -> pixel.length > 0)
                 .map(pixel -> place.toView(pixel[0], pixel[1]));
         List<RotationRing> turning = body
                 .filter(_ -> turns())
-                .flatMap(at -> projection.map(to -> RotationRing.of(to, at, pixels)))
+                .flatMap(at -> projection.map(to -> RotationRing.of(to, at, place.toPicture(RADIUS))))
                 .orElse(List.of())
                 .stream()
                 .map(ring -> new RotationRing(

@@ -1,5 +1,7 @@
 package dev.twister.gui.model;
 
+import dev.twister.mesh.Affine;
+import dev.twister.mesh.MeshPlacement;
 import dev.twister.scene.Light;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rotation;
@@ -156,16 +158,8 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
                 .map(column -> turned(column, new Vector3(0, 1, 0), rotation.yawDegrees()))
                 .map(column -> turned(column, axis, degrees))
                 .toList();
-        Vector3 right = columns.get(0);
-        Vector3 up = columns.get(1);
-        Vector3 ahead = columns.get(2);
-        boolean upright = Math.hypot(ahead.x(), ahead.z()) > 1e-9;
-        double yaw = upright ? Math.atan2(ahead.x(), ahead.z()) : Math.atan2(-right.z(), right.x());
-        double roll = upright ? Math.atan2(right.y(), up.y()) : 0;
-        return new Rotation(
-                rounded(Math.toDegrees(yaw)),
-                rounded(Math.toDegrees(Math.asin(Math.clamp(-ahead.y(), -1, 1)))),
-                rounded(Math.toDegrees(roll)));
+        Rotation exact = MeshPlacement.angles(new Affine(columns.get(0), columns.get(1), columns.get(2), Vector3.ZERO));
+        return new Rotation(rounded(exact.yawDegrees()), rounded(exact.pitchDegrees()), rounded(exact.rollDegrees()));
     }
 
     /** Without the last digits, which are errors, and without the negative zero. */

@@ -25,6 +25,11 @@ public record PicturePlace(Bounds bounds, int width, int height) {
         return new Point2D(place.getX() * other.width() / width, place.getY() * other.height() / height);
     }
 
+    /** From a length in the view's units to one in pixels of the picture. */
+    public double toPicture(double length) {
+        return length * width / bounds.getWidth();
+    }
+
     /** From pixels of the picture to the view's units. */
     public Point2D toView(double x, double y) {
         return new Point2D(
