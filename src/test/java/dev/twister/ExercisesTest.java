@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -20,6 +21,7 @@ class ExercisesTest {
     @TempDir
     private Path folder;
 
+    @Tag("slow")
     @Test
     void checksPassSolutionsAlone() throws IOException, InterruptedException {
         List<String> sources;

@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaMethod;
 import com.tngtech.archunit.core.domain.JavaModifier;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,14 +21,13 @@ class OptionalParametersTest {
     @Test
     void noPublicMethodOfTheDocumentedPackagesTakesAnOptional() throws IOException {
         List<String> excluded = packagesWithoutJavadoc();
-        List<JavaMethod> methods = new ClassFileImporter()
-                .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS).importPackages("dev.twister").stream()
-                        .filter(OptionalParametersTest::isPublic)
-                        .filter(type -> excluded.stream()
-                                .noneMatch(name -> type.getPackageName().matches(name)))
-                        .flatMap(type -> type.getMethods().stream())
-                        .filter(method -> method.getModifiers().contains(JavaModifier.PUBLIC))
-                        .toList();
+        List<JavaMethod> methods = CompiledClasses.PROGRAM.stream()
+                .filter(OptionalParametersTest::isPublic)
+                .filter(type -> excluded.stream()
+                        .noneMatch(name -> type.getPackageName().matches(name)))
+                .flatMap(type -> type.getMethods().stream())
+                .filter(method -> method.getModifiers().contains(JavaModifier.PUBLIC))
+                .toList();
 
         assertThat(methods).isNotEmpty();
         assertThat(methods.stream()

@@ -14,8 +14,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Guides;
 import dev.twister.kernel.Instance;
@@ -34,9 +32,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** The design's table of packages and their allowed dependencies. */
 class RoomsTest {
-    private static final JavaClasses TWISTER = new ClassFileImporter()
-            .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-            .importPackages("dev.twister");
+    private static final JavaClasses TWISTER = CompiledClasses.PROGRAM;
 
     static Stream<Arguments> rooms() {
         return Stream.of(

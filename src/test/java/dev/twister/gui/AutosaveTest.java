@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Optional;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -84,6 +85,7 @@ class AutosaveTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void anEditThatIsGivenUpIsNotKept() throws IOException {
         try (WindowDriver driver = open()) {
@@ -113,6 +115,7 @@ class AutosaveTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void restoredEditsCanBeTakenBack() throws IOException {
         leave(file);
@@ -127,6 +130,7 @@ class AutosaveTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void editsOfAFileThatIsGoneAreRestoredToo() throws IOException {
         leave(parent.resolve("gone.json"));
@@ -138,6 +142,7 @@ class AutosaveTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void editsWhoseSkyIsGoneAreRestoredUnderThePresentOne() throws IOException {
         Path sky = Files.copy(Path.of("skyboxes", "sunset.hdr"), parent.resolve("gone.hdr"));
@@ -152,6 +157,7 @@ class AutosaveTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void whatIsDiscardedIsGoneAndWhatIsLeftForLaterIsNot() throws IOException {
         leave(file);

@@ -12,6 +12,7 @@ import dev.twister.scene.Scene;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import javafx.scene.control.ComboBox;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Changes of what draws, how large, and what, while the window runs. */
@@ -23,7 +24,7 @@ class EngineChangeTest {
                         .contains(offer.id()))
                 .toList();
         try (WindowDriver driver = WindowDriver.open()) {
-            for (int i = 0; i < 9; i++) {
+            for (int i = 0; i < 4; i++) {
                 EngineOffer offer = jvm.get(i % jvm.size());
                 driver.run(() -> driver.studio.chooseEngine(offer));
                 DrawnPicture picture =
@@ -32,12 +33,13 @@ class EngineChangeTest {
                 assertThat(picture.isWhole()).isTrue();
             }
             driver.await(
-                    () -> driver.text("facts").contains(jvm.get(8 % jvm.size()).id()));
+                    () -> driver.text("facts").contains(jvm.get(3 % jvm.size()).id()));
             // Told after the picture.
             driver.await(() -> driver.text("message").isEmpty());
         }
     }
 
+    @Tag("slow")
     @Test
     void devicesAreLookedForWhenTheListIsWantedButNotWhileAnEngineIsOpened() {
         CountDownLatch mayOpen = new CountDownLatch(1);

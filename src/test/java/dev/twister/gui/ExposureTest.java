@@ -20,6 +20,7 @@ import javafx.scene.paint.Color;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The histogram, what is clipped, and the exposure that the picture asks for. */
@@ -37,6 +38,7 @@ class ExposureTest {
         driver.close();
     }
 
+    @Tag("slow")
     @Test
     void theSharesOfClippedPixelsAreSaid() {
         expose(BRIGHTEST);
@@ -50,6 +52,7 @@ class ExposureTest {
         driver.await(() -> text("clipped").equals("Clipped: 0 % white, 100 % black"));
     }
 
+    @Tag("slow")
     @Test
     void whatHasNoExposureHasNoHistogram() {
         driver.run(() -> driver.studio.setShown(Picture.NORMAL));
@@ -86,6 +89,7 @@ class ExposureTest {
         awaitInTheMiddle(Color.BLACK);
     }
 
+    @Tag("slow")
     @Test
     void autoExposureIsOneEditByTheGatheredLight() {
         expose(6);
@@ -104,6 +108,7 @@ class ExposureTest {
                 .isEqualTo(6);
     }
 
+    @Tag("slow")
     @Test
     void aBlackPictureHasNoExposure() {
         driver.run(() -> {

@@ -47,6 +47,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -182,8 +183,21 @@ class FilesTest {
     }
 
     @ParameterizedTest
-    @EnumSource
+    @EnumSource(names = {"MISSING", "BINARY", "HALF_A_SCENE"})
     void whatCannotBeOpenedIsSaidAndEverythingGoesOn(Hostile hostile) throws IOException {
+        requireComplaint(hostile);
+    }
+
+    @Tag("slow")
+    @ParameterizedTest
+    @EnumSource(
+            names = {"MISSING", "BINARY", "HALF_A_SCENE"},
+            mode = EnumSource.Mode.EXCLUDE)
+    void whatElseCannotBeOpenedIsSaidToo(Hostile hostile) throws IOException {
+        requireComplaint(hostile);
+    }
+
+    private void requireComplaint(Hostile hostile) throws IOException {
         Path file = hostile.making.in(folder.resolve("scenes"));
         Scene before = scene();
         drop(file);
@@ -368,6 +382,7 @@ class FilesTest {
         assertThat(shipped).hasBinaryContent(before);
     }
 
+    @Tag("slow")
     @Test
     void aSceneWhoseSkyIsMissingIsOpenedWithAnother() throws IOException {
         Path file = Files.writeString(
@@ -531,6 +546,7 @@ class FilesTest {
                 .isTrue();
     }
 
+    @Tag("slow")
     @Test
     void aDaylightSkyIsWrittenBesideTheScene() {
         Path own = folder.resolve("evening.json");
@@ -657,6 +673,7 @@ class FilesTest {
         answer(dialog, "OK");
     }
 
+    @Tag("slow")
     @Test
     void picturesAreRecordedUntilStopped() throws IOException {
         Path frames = Files.createDirectory(folder.resolve("frames"));

@@ -31,6 +31,7 @@ import javafx.scene.layout.Pane;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -135,6 +136,7 @@ class FilmTest {
         assertThat(SceneReader.read(file).camera().keyframes()).isEqualTo(camera().keyframes());
     }
 
+    @Tag("slow")
     @Test
     void theListAndTheKeysGoToAKeyframe() {
         setTwo();
@@ -169,6 +171,7 @@ class FilmTest {
                 .contains("set keyframe");
     }
 
+    @Tag("slow")
     @Test
     void aKeyframeIsDeletedAtItsTime() {
         setTwo();
@@ -205,6 +208,7 @@ class FilmTest {
         assertThat(times()).containsExactly(1.0, 3.0);
     }
 
+    @Tag("slow")
     @Test
     void theFilmPlaysFromItsBeginningToItsEnd() {
         driver.type(Command.PLAY.keys());
@@ -226,6 +230,7 @@ class FilmTest {
                 .contains("set keyframe");
     }
 
+    @Tag("slow")
     @Test
     void anotherSceneHasItsOwnKeyframesAndAViewLeavesThem() {
         setTwo();
@@ -244,6 +249,7 @@ class FilmTest {
         assertThat(WindowDriver.call(bar()::isVisible)).isTrue();
     }
 
+    @Tag("slow")
     @Test
     void aKeyframeOfABodyIsSetByItsMenuAndDraggedInItsRow() {
         driver.run(() -> driver.studio.selection().select(BodyNumber.ofSphere(0)));

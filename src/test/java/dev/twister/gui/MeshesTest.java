@@ -43,6 +43,7 @@ import javafx.scene.shape.Polygon;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -190,6 +191,7 @@ class MeshesTest {
         assertThat(selected()).isNotEqualTo(FIRST);
     }
 
+    @Tag("slow")
     @Test
     void aMeshIsDraggedAndThatIsOneEdit() {
         select(FIRST);
@@ -206,6 +208,7 @@ class MeshesTest {
         assertThat(now()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
+    @Tag("slow")
     @Test
     void itsNumbersAreEditedAndTheirUndoIsNamed() {
         select(SECOND);
@@ -223,6 +226,7 @@ class MeshesTest {
         assertThat(now()).isEqualTo(scene().withCamera(now().camera()));
     }
 
+    @Tag("slow")
     @Test
     void aMeshIsDuplicatedCopiedPastedAndDeleted() {
         select(FIRST);
@@ -260,6 +264,7 @@ class MeshesTest {
         assertThat(selected()).isEqualTo(BodyNumber.NONE);
     }
 
+    @Tag("slow")
     @Test
     void aMeshGetsAMaterialOfItsOwnAndTheFilesBack() {
         select(FIRST);
@@ -288,6 +293,7 @@ class MeshesTest {
         return (ComboBox<T>) row(label).firstControl();
     }
 
+    @Tag("slow")
     @Test
     void theInspectorNamesTheMesh() {
         select(SECOND);
@@ -310,6 +316,7 @@ class MeshesTest {
         driver.run(() -> driver.studio.hand().goHome());
     }
 
+    @Tag("slow")
     @Test
     void editsOfMeshesAreAutosavedAndSaved() throws IOException {
         Path autosaves = Files.createDirectory(folder.resolve("autosaves"));
@@ -332,6 +339,7 @@ class MeshesTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void aMeshThatIsDroppedIsOpenedInASceneOfItsOwn() throws IOException {
         Path mesh = Files.copy(VASE, folder.resolve("pot.obj"));
@@ -384,6 +392,7 @@ class MeshesTest {
                         .orElseThrow();
     }
 
+    @Tag("slow")
     @Test
     void aSceneWithAMeshThatIsBrokenIsShownWithoutIt() throws IOException {
         Path broken = Files.writeString(folder.resolve("broken.obj"), "v 0 0 0\n");

@@ -52,6 +52,7 @@ import javafx.stage.Window;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -81,15 +82,23 @@ class PanelTest {
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
-    static Stream<NumberProperty<Scene>> numbers() {
+    private static Stream<Stream<NumberProperty<Scene>>> kindsOfNumbers() {
         return Stream.of(
-                        SceneNumbers.PICTURE.stream(),
-                        CameraNumbers.ALL.stream().skip(5),
-                        LightNumbers.ALL.stream().limit(7),
-                        SceneNumbers.SKY.stream(),
-                        BodyNumbers.SPHERE.stream().map(number -> BodyNumbers.ofSphere(SPHERE, number)),
-                        MaterialNumbers.ALL.stream().map(number -> MaterialNumbers.of(SPHERE, number)))
-                .flatMap(numbers -> numbers);
+                SceneNumbers.PICTURE.stream(),
+                CameraNumbers.ALL.stream().skip(5),
+                LightNumbers.ALL.stream().limit(7),
+                SceneNumbers.SKY.stream(),
+                BodyNumbers.SPHERE.stream().map(number -> BodyNumbers.ofSphere(SPHERE, number)),
+                MaterialNumbers.ALL.stream().map(number -> MaterialNumbers.of(SPHERE, number)));
+    }
+
+    /** The first of each kind. */
+    static Stream<NumberProperty<Scene>> numbers() {
+        return kindsOfNumbers().flatMap(kind -> kind.limit(1));
+    }
+
+    static Stream<NumberProperty<Scene>> allNumbers() {
+        return kindsOfNumbers().flatMap(kind -> kind);
     }
 
     private static Scene scene() {
@@ -218,6 +227,17 @@ class PanelTest {
     @ParameterizedTest
     @MethodSource("numbers")
     void aNumberIsSlidTypedAndReset(NumberProperty<Scene> setting) {
+        slideTypeAndReset(setting);
+    }
+
+    @Tag("slow")
+    @ParameterizedTest
+    @MethodSource("allNumbers")
+    void everyNumberIsSlidTypedAndReset(NumberProperty<Scene> setting) {
+        slideTypeAndReset(setting);
+    }
+
+    private static void slideTypeAndReset(NumberProperty<Scene> setting) {
         PanelRow row = row(setting.label());
         TextField field = in(row, ".text-field", TextField.class);
         Button reset = in(row, ".reset", Button.class);
@@ -378,6 +398,7 @@ class PanelTest {
         assertThat(driver.notice()).isEqualTo("Redone: field of view");
     }
 
+    @Tag("slow")
     @Test
     void anEngineIsChosenAndReset() {
         driver.await(
@@ -497,6 +518,7 @@ class PanelTest {
         assertThat(WindowDriver.call(driver.studio.refiningProperty()::get)).isTrue();
     }
 
+    @Tag("slow")
     @Test
     void colorsAreChosenFromThePalette() {
         for (String label : List.of("Light color", "Color")) {
@@ -525,6 +547,7 @@ class PanelTest {
         return picker;
     }
 
+    @Tag("slow")
     @Test
     void aDragInTheDialogOfCustomColorsIsOneEdit() {
         PanelRow row = row("Light color");
@@ -567,6 +590,7 @@ class PanelTest {
                 .orElseThrow();
     }
 
+    @Tag("slow")
     @Test
     void spaceOpensListsAndPalettesAndEscapeClosesThemAndNoMore() {
         for (String label : List.of("Resolution", "Light color", "Color")) {
@@ -668,6 +692,7 @@ class PanelTest {
         assertThat(scene()).isEqualTo(before);
     }
 
+    @Tag("slow")
     @Test
     void everyControlComesIntoSightByItsKey() {
         for (PanelRow row :
@@ -743,6 +768,7 @@ class PanelTest {
         assertThat(scene()).isEqualTo(edited);
     }
 
+    @Tag("slow")
     @Test
     void theLightThePlaneAndEverySphereAreSelectedByKeys() {
         driver.run(() -> driver.studio.selection().select(Layout.NOTHING));

@@ -28,6 +28,7 @@ import javafx.scene.shape.Polygon;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Bodies let go by hand. */
@@ -125,6 +126,7 @@ class PhysicsTest {
         driver.type(KeyCode.F5);
     }
 
+    @Tag("slow")
     @Test
     void gravityPullsTheOtherWay() {
         driver.type(KeyCode.F5);
@@ -135,6 +137,7 @@ class PhysicsTest {
         driver.type(KeyCode.F5);
     }
 
+    @Tag("slow")
     @Test
     void anEditGoesOnFromWhereBodiesAre() {
         driver.type(KeyCode.F5);
@@ -152,6 +155,7 @@ class PhysicsTest {
         driver.type(KeyCode.F5);
     }
 
+    @Tag("slow")
     @Test
     void undoingTheMoveOfOneSphereLeavesTheOthersWhereTheyHaveMovedTo() {
         Sphere one = scene().spheres().getFirst();
@@ -233,6 +237,7 @@ class PhysicsTest {
         return driver.awaitPicture(picture -> picture.request().motion().steps() == steps);
     }
 
+    @Tag("slow")
     @Test
     void aResetWhileBodiesMoveIsTakenBackToWhereTheyStarted() {
         driver.run(() -> {
@@ -256,6 +261,7 @@ class PhysicsTest {
         assertThat(scene()).isEqualTo(before);
     }
 
+    @Tag("slow")
     @Test
     void thePanelShowsWhereTheSelectedSphereIs() {
         driver.run(() -> driver.studio.selection().select(Layout.FIRST_SPHERE));
@@ -271,6 +277,7 @@ class PhysicsTest {
         assertThat(Double.parseDouble(WindowDriver.call(field::getText))).isEqualTo(HEIGHT);
     }
 
+    @Tag("slow")
     @Test
     void aFieldWithTheFocusKeepsItsTextWhileItsSphereMoves() {
         driver.run(() -> driver.studio.selection().select(Layout.FIRST_SPHERE));
@@ -296,6 +303,7 @@ class PhysicsTest {
         assertThat(scene().spheres().getFirst().position().y()).isEqualTo(2);
     }
 
+    @Tag("slow")
     @Test
     void physicsSaysWhatFalls() {
         driver.type(KeyCode.F5);
@@ -309,6 +317,7 @@ class PhysicsTest {
         assertThat(driver.notice()).isEqualTo("Physics on, but the scene has no spheres");
     }
 
+    @Tag("slow")
     @Test
     void aPouredSphereIsSelectedAndFollowed() {
         driver.run(() -> driver.studio.edit(

@@ -30,6 +30,7 @@ import javafx.scene.control.TextField;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -59,6 +60,7 @@ class RenderWindowTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void rendersAFilmOfTheKeyframesWithAllItsFrames() {
         Scene scene = WindowScenes.tiny().withSpheres(List.of());
@@ -86,6 +88,7 @@ class RenderWindowTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void removesTheNoiseOnDemand() throws IOException {
         System.setProperty(FakeDenoiser.PROPERTY, "true");
@@ -124,6 +127,7 @@ class RenderWindowTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void neverReplacesAFileOfTheScene() {
         try (WindowDriver driver = open()) {
@@ -158,6 +162,7 @@ class RenderWindowTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void aSecondRenderWaitsAndTheStatusLineShowsTheFirst() {
         CountDownLatch mayDraw = new CountDownLatch(1);
@@ -184,6 +189,7 @@ class RenderWindowTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void tellsHowMuchItIsBeforeItStarts() {
         try (WindowDriver driver = open()) {
@@ -192,6 +198,7 @@ class RenderWindowTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void closingTheWindowMayCancelTheRender() {
         CountDownLatch mayDraw = new CountDownLatch(1);

@@ -21,6 +21,7 @@ import javafx.scene.control.ScrollPane;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
 import javafx.stage.Window;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -66,6 +67,7 @@ class SettingsTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void theHintIsSeenUntilThePictureIsUsedAndNeverAgain() {
         SettingsStore store = new SettingsStore(Optional.of(folder));
@@ -85,6 +87,7 @@ class SettingsTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void theHintIsClosedByItsCrossAndByADrag() {
         for (String used : List.of("#close-hint", ".picture")) {
@@ -107,6 +110,7 @@ class SettingsTest {
                         .orElseThrow();
     }
 
+    @Tag("slow")
     @Test
     void twoWindowsKeepWhatEachOfThemChanged() {
         SettingsStore store = new SettingsStore(Optional.of(folder));
@@ -161,6 +165,7 @@ class SettingsTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void otherWindowsOpenOverTheMainOne() {
         try (WindowDriver driver = WindowDriver.open()) {
@@ -176,6 +181,7 @@ class SettingsTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void helpScrollsByTheKeyboard() {
         try (WindowDriver driver = WindowDriver.open()) {
@@ -188,6 +194,7 @@ class SettingsTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void helpTellsOfTheSelectedSpheresKeysWhileOneIsSelected() {
         try (WindowDriver driver = WindowDriver.open()) {

@@ -13,6 +13,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.text.Font;
 import javafx.stage.Screen;
 import javafx.stage.Window;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 class TextScaleTest {
@@ -40,6 +41,7 @@ class TextScaleTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void nothingIsCutOffWhereTextIsTwiceAsLarge() {
         try (WindowDriver driver = WindowDriver.openWithPanel(2)) {
@@ -54,6 +56,7 @@ class TextScaleTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void theListOfKeysFitsTheScreen() {
         try (WindowDriver driver = WindowDriver.openWithPanel(2)) {

@@ -17,6 +17,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The list of views in the panel. */
@@ -53,6 +54,7 @@ class ViewsTest {
         assertThat(names()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void plainKeysAreLettersWhileANameIsTyped() {
         press("add");
@@ -90,6 +92,7 @@ class ViewsTest {
         assertThat(driver.notice()).isEqualTo("View: View 1");
     }
 
+    @Tag("slow")
     @Test
     void deleteInTheListDeletesAViewAndNoBody() {
         add();
@@ -116,6 +119,7 @@ class ViewsTest {
         assertThat(scene().views().getFirst().camera()).isEqualTo(scene().camera());
     }
 
+    @Tag("slow")
     @Test
     void aNameThatIsTakenIsRefusedWithAWord() {
         add();
@@ -131,6 +135,7 @@ class ViewsTest {
         assertThat(focusOwner()).isInstanceOf(ListView.class);
     }
 
+    @Tag("slow")
     @Test
     void buttonsThatNeedAViewAreOffWithoutOne() {
         assertThat(button("go-to").isDisabled()).isTrue();

@@ -9,6 +9,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.ShrinkingMode;
+import net.jqwik.api.Tag;
 import net.jqwik.api.lifecycle.AfterProperty;
 
 /**
@@ -56,6 +57,7 @@ class RandomMaterialsTest {
         judge.judge(Pictures.argb(VECTOR, random), random);
     }
 
+    @Tag("slow")
     @Property(seed = "20261128", tries = 40, shrinking = ShrinkingMode.OFF)
     void vectorDrawsManyBouncesAsTheOracleDoes(@ForAll("manyBounces") LitScene random) {
         pixelsAnExcuse = MANY_BOUNCES_PIXELS_AN_EXCUSE;

@@ -42,6 +42,13 @@ public final class ShippedScenes {
         }
     }
 
+    /** Those of {@link #oracleNames} that do not take it seconds; all with {@code -Dtwister.oracle=large}. */
+    static List<String> quickOracleNames() {
+        return oracleNames().stream()
+                .filter(name -> ALWAYS_LARGE || !name.equals("atrium"))
+                .toList();
+    }
+
     /** Those that the oracle knows: it has neither height maps nor maps on spheres. */
     static List<String> oracleNames() {
         return names().stream().filter(name -> !name.equals("maps")).toList();

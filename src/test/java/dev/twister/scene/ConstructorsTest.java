@@ -3,16 +3,13 @@ package dev.twister.scene;
 import static com.tngtech.archunit.base.DescribedPredicate.describe;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 
-import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaConstructor;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
+import dev.twister.CompiledClasses;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Adding a field to a record must not change its users: they call {@code of}, {@code DEFAULT} and {@code with...}. */
 class ConstructorsTest {
-    private static final JavaClasses TWISTER = new ClassFileImporter().importPackages("dev.twister");
-
     @ParameterizedTest
     @ValueSource(
             classes = {
@@ -35,6 +32,6 @@ class ConstructorsTest {
                         "is the constructor of " + type.getSimpleName(),
                         access -> access.getTargetOwner().isEquivalentTo(type)
                                 && access.getName().equals(JavaConstructor.CONSTRUCTOR_NAME)))
-                .check(TWISTER);
+                .check(CompiledClasses.WITH_TESTS);
     }
 }

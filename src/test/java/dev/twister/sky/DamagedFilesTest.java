@@ -16,6 +16,7 @@ import java.util.Random;
 import javax.imageio.ImageIO;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 
 /** Files with bytes changed, removed or inserted: read, or rejected with one line of text. */
 class DamagedFilesTest {
@@ -24,6 +25,7 @@ class DamagedFilesTest {
 
     private static final List<byte[]> FILES = files();
 
+    @Tag("slow")
     @Property(tries = 3000)
     void areReadOrRefused(@ForAll long seed) throws IOException {
         Random random = new Random(seed);

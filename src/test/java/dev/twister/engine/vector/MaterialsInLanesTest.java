@@ -37,7 +37,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 final class MaterialsInLanesTest {
     private static final int NEVER_WALK = Integer.MAX_VALUE;
-    private static final int SCENES = 30;
+    private static final int SCENES = WidthLoader.ALL ? 30 : 10;
     private static final Path FILE = Path.of("texture.png").toAbsolutePath();
 
     /** Material kinds beyond color and reflectivity. */

@@ -34,6 +34,7 @@ import java.util.Random;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import jdk.incubator.vector.FloatVector;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -64,6 +65,7 @@ final class VectorEngineTest {
         return Stream.of("benchmark", "teaching", "mirrors", "spheres-100", "spheres-10000");
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @MethodSource("scenes")
     void drawsWithoutFusedMultiplyAdd(String scene) {
@@ -123,6 +125,7 @@ final class VectorEngineTest {
     }
 
     /** Without fusing, the rounding of products moves the sides of boxes. */
+    @Tag("slow")
     @Test
     void hierarchyDrawsRandomScenesWithoutFusingToo() {
         try (Engine plain = WidthLoader.openWithoutFusing(2, Integer.MAX_VALUE);

@@ -23,13 +23,15 @@ import jdk.incubator.vector.FloatVector;
 final class WidthLoader extends ClassLoader {
     private static final String PACKAGE = VectorEngines.class.getPackageName() + ".";
 
+    /** Whether all widths are asked for; such a run also compares more scenes. */
+    static final boolean ALL = "all".equals(System.getProperty("twister.widths"));
+
     /**
      * Vector widths in bits at which pictures are compared: the CPU's own, or 128, 256 and 512 with
      * {@code -Dtwister.widths=all}. Tests of other widths are skipped.
      */
-    static final List<Integer> WIDTHS = "all".equals(System.getProperty("twister.widths"))
-            ? List.of(128, 256, 512)
-            : List.of(Math.clamp(FloatVector.SPECIES_PREFERRED.vectorBitSize(), 128, 512));
+    static final List<Integer> WIDTHS =
+            ALL ? List.of(128, 256, 512) : List.of(Math.clamp(FloatVector.SPECIES_PREFERRED.vectorBitSize(), 128, 512));
 
     private static final Map<Map<String, String>, WidthLoader> LOADERS = new ConcurrentHashMap<>();
 

@@ -16,6 +16,7 @@ import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Compares the polynomials with double-precision angles, at all pixels of random tiles. */
@@ -34,6 +35,7 @@ final class SkyChartTest {
     private int covered;
     private int uncovered;
 
+    @Tag("slow")
     @Test
     void isAsExactAsColumnsAndRowsAreAsFloats() {
         Random random = new Random(20261123);
