@@ -84,10 +84,12 @@ final class GuiCommand implements Callable<Integer> {
         Optional<WindowRates> rates = Gui.measure(first, engineId, shipped);
         if (rates.isEmpty()) {
             throw new BadInputException(
-                    "the window was closed early or showed fewer than two pictures in 10 s; take a faster --engine");
+                    "the window was closed early, the engine did not start within 60 s, or fewer than two pictures were"
+                            + " shown in 10 s; take a faster --engine");
         }
         rates.get().write(sceneName.orElse(FIRST_SCENE), file);
-        spec.commandLine().getOut().println(file + ": " + rates.get().text());
+        OutputFile.notes(spec.commandLine(), file)
+                .println(OutputFile.name(file) + ": " + rates.get().text());
         return ExitCode.OK;
     }
 

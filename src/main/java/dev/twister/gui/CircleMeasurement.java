@@ -24,7 +24,7 @@ import javafx.stage.Screen;
 final class CircleMeasurement {
     private static final double TURN_SECONDS = 10;
 
-    /** The chosen engine may compile its kernel for long, or fail. */
+    /** The chosen engine may compile its kernel for long, or fail and leave the picture to another. */
     private static final double LONGEST_START_SECONDS = 60;
 
     private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
@@ -49,7 +49,8 @@ final class CircleMeasurement {
      *
      * @param warmUpSeconds of moving before the first picture that counts
      * @param seconds of the measurement
-     * @param whenDone told once; empty where fewer than two pictures were shown
+     * @param whenDone told once; empty where the chosen engine did not start in time, or fewer than two pictures were
+     *     shown
      */
     CircleMeasurement(Studio studio, double warmUpSeconds, double seconds, Consumer<Optional<WindowRates>> whenDone) {
         this.studio = studio;
@@ -68,8 +69,11 @@ final class CircleMeasurement {
         }
         double elapsed = (startNanos - beginNanos) / NANOS_PER_SECOND;
         if (!ready) {
-            ready = isReady() || elapsed > LONGEST_START_SECONDS;
+            ready = isReady();
             movedSince = elapsed;
+            if (!ready && elapsed > LONGEST_START_SECONDS) {
+                finish(Optional.empty());
+            }
             return;
         }
         double moved = elapsed - movedSince;
@@ -80,18 +84,24 @@ final class CircleMeasurement {
         pulses++;
         studio.pictureProperty().get().filter(DrawnPicture::isWhole).ifPresent(picture -> note(picture, startNanos));
         if (moved > warmUpSeconds + seconds) {
-            done = true;
-            whenDone.accept(last.filter(_ -> shownNanos.size() > 1).map(this::rates));
+            finish(last.filter(_ -> shownNanos.size() > 1).map(this::rates));
         }
     }
 
-    /** Whether the chosen engine renders, in the whole size. */
+    private void finish(Optional<WindowRates> rates) {
+        done = true;
+        whenDone.accept(rates);
+    }
+
+    /** Whether the chosen engine, or the device that a family's name stands for, renders, in the whole size. */
     private boolean isReady() {
         String chosen = studio.engineProperty().get().offer().id();
         return studio.pictureProperty()
                 .get()
                 .filter(DrawnPicture::isWhole)
-                .filter(picture -> picture.engine().equals(chosen) || chosen.equals(FastestEngine.AUTO))
+                .filter(picture -> picture.engine().equals(chosen)
+                        || picture.engine().startsWith(chosen + ":")
+                        || chosen.equals(FastestEngine.AUTO))
                 .isPresent();
     }
 

@@ -45,7 +45,8 @@ public final class Gui {
      *
      * @param engine the id of the engine; empty for {@code auto}
      * @param shipped the scenes that are offered
-     * @return empty if the window was closed early, or showed fewer than two pictures
+     * @return empty if the window was closed early, the engine did not start in time, or fewer than two pictures were
+     *     shown
      * @throws NoDisplayException if there is no screen
      */
     public static Optional<WindowRates> measure(FirstScene first, Optional<String> engine, ShippedFolders shipped) {
