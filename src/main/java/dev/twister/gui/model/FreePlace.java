@@ -141,13 +141,16 @@ final class FreePlace {
     private Vector3 nearest(Vector3 wanted) {
         Vector3 right = projection.right();
         Vector3 deep = new Vector3(-right.z(), 0, right.x());
+        BodyExtent reached = BodyExtent.ball(wanted, Math.sqrt(2) * STEPS * STEP + body.radius());
+        List<BodyExtent> near =
+                others.stream().filter(other -> other.isNear(reached, GAP)).toList();
         Vector3 best = wanted;
         int least = Integer.MAX_VALUE;
         for (int i = 0; i < WAYS.size() && least > 0; i++) {
             Way way = WAYS.get(i);
             Vector3 place = SceneLimits.POSITION.clamp(
                     wanted.plus(right.times(way.right() * STEP)).plus(deep.times(way.deep() * STEP)));
-            int cost = cost(place);
+            int cost = cost(place, near, least);
             if (cost < least) {
                 least = cost;
                 best = place;
@@ -156,11 +159,18 @@ final class FreePlace {
         return best;
     }
 
-    /** 0 for a free place in view, more where the body is cut off, out of sight or where other bodies are. */
-    private int cost(Vector3 place) {
+    /**
+     * 0 for a free place in view, more where the body is cut off, out of sight or where other bodies are.
+     *
+     * @param near all bodies that may be there
+     * @param least counting ends above it
+     */
+    private int cost(Vector3 place, List<BodyExtent> near, int least) {
         BodyExtent there = new BodyExtent(place, body.radius(), body.half());
-        int taken =
-                (int) others.stream().filter(other -> there.isNear(other, GAP)).count();
+        int taken = (int) near.stream()
+                .filter(other -> there.isNear(other, GAP))
+                .limit(least / OF_A_BODY + 1)
+                .count();
         int atCamera = distance(place) < 2 * body.radius() ? 1 : 0;
         return OF_A_BODY * (taken + atCamera) + (isSeen(place) ? cutOff(place) : OUT_OF_SIGHT);
     }
