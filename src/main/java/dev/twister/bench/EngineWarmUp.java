@@ -17,8 +17,8 @@ record EngineWarmUp(double maxSeconds, BenchmarkProgress progress) {
     private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
 
     /**
-     * Renders small frames of each input until their times settle. Skipped for devices, which reach their speed with
-     * their first frame.
+     * Renders small frames of each input until their times settle. Skipped for devices, which compile no faster code
+     * later; they try work-groups in their first 6 frames, of the size that is measured.
      */
     void run(AskedEngine asked, PictureSize size, List<FrameInput> inputs) {
         if (!asked.isDevice()) {

@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * One of several engines that render bands of the same frame. An engine whose time is in proportion to the rows takes
- * bands of any height. Any other one, which compiles for each height, always renders the same number of rows.
+ * bands of any height. Any other one, for which each call costs much besides, always renders the same number of rows.
  */
 final class BandWorker {
     /** Fewer rows keep the processor's threads from sharing a band evenly. */
@@ -68,7 +68,7 @@ final class BandWorker {
         }
     }
 
-    /** Chosen once without and once with known speeds: each other height is compiled anew. */
+    /** Chosen once without and once with known speeds. */
     private int fixedRows(int rows, Optional<Double> share) {
         if (rows != frameRows || (share.isPresent() && !sizedBySpeed)) {
             frameRows = rows;

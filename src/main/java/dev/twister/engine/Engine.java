@@ -35,7 +35,7 @@ public interface Engine extends AutoCloseable {
 
     /**
      * Whether the time for a band is proportional to its rows, so that a slow picture can be rendered in bands. False
-     * if the engine compiles for each height, or while it measures frames.
+     * if each call costs much besides, or while the engine measures frames.
      */
     default boolean drawsBandsInProportion() {
         return false;

@@ -43,13 +43,13 @@ final class DevicePlan implements AutoCloseable {
     private boolean proven;
     private Copied lastCopied = new Copied(0, 0);
 
-    /** Bytes copied to and from the device for one frame. */
+    /** Bytes copied to the device for one frame, as TornadoVM reports, and those of its pixels, which come back. */
     record Copied(long bytesIn, long bytesOut) {}
 
     /**
      * Makes the plan; the kernel is compiled with the first frame.
      *
-     * @param groups of the device, shared by its plans
+     * @param groups of the device, not tried yet
      */
     DevicePlan(TornadoDevice device, FrameInput input, boolean linear, DrawTask kernel, WorkGroups groups) {
         fixed = input;

@@ -21,7 +21,6 @@ final class TornadoEngine implements Engine {
     private final String name;
     private final TornadoDevice device;
     private final DrawTask kernel;
-    private final WorkGroups groups;
     private final Map<Boolean, DevicePlan> planByLinear = new HashMap<>();
     private Optional<DevicePlan> last = Optional.empty();
 
@@ -34,7 +33,6 @@ final class TornadoEngine implements Engine {
         this.name = name;
         this.device = device;
         this.kernel = kernel;
-        groups = new WorkGroups(device.getDeviceType(), mostItemsOfAGroup(device));
     }
 
     /** TornadoVM's virtual devices, for which kernels are only printed, do not say it. */
@@ -83,7 +81,8 @@ final class TornadoEngine implements Engine {
         if (known != null) {
             planByLinear.remove(linear).close();
         }
-        DevicePlan fresh = new DevicePlan(device, input, linear, kernel, groups);
+        DevicePlan fresh = new DevicePlan(
+                device, input, linear, kernel, new WorkGroups(device.getDeviceType(), mostItemsOfAGroup(device)));
         planByLinear.put(linear, fresh);
         return fresh;
     }

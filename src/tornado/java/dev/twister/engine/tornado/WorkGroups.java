@@ -6,8 +6,8 @@ import uk.ac.manchester.tornado.api.WorkerGrid2D;
 import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 
 /**
- * The size of the work-groups on a device: the fastest of a few, by the kernel times of the first frames. Grids are
- * rounded up to whole groups, so that all sizes of pictures have groups of the same size.
+ * The size of the work-groups of a kernel: the fastest of a few, by the times of its first frames. Grids are rounded up
+ * to whole groups, so that all sizes of pictures have groups of the same size.
  */
 final class WorkGroups {
     /** Each group size renders this number of frames, of which the fastest counts. */
