@@ -200,7 +200,7 @@ final class Workbench implements AutoCloseable {
         root.setRight(side);
         AxisHandles handles = new AxisHandles(picture, studio, paths);
         TransformHandles transforms = new TransformHandles(picture, studio, handles);
-        HandleMouse.install(middle, picture, studio, transforms);
+        HandleMouse.install(middle, picture, studio, transforms, stage.focusedProperty());
         SelectionView outline = new SelectionView(picture, studio, List.of(transforms, handles));
         picture.addOverlay(outline);
         ZoomMouse.install(picture);

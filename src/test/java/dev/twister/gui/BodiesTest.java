@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.bodies.AxisHandles;
 import dev.twister.gui.bodies.BodyMouse;
+import dev.twister.gui.bodies.HandleMouse;
+import dev.twister.gui.bodies.SelectionView;
+import dev.twister.gui.bodies.TransformHandles;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
@@ -33,6 +36,8 @@ import javafx.scene.Node;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
 import javafx.scene.paint.Color;
 import javafx.scene.shape.Line;
 import javafx.scene.shape.Polygon;
@@ -280,14 +285,13 @@ class BodiesTest {
     }
 
     /** As the system reports it, and no more of it than that. */
-    private static void fire(EventType<MouseEvent> type, Point2D place, PictureView view) {
-        fire(type, place, view, false, false);
+    private static void fire(EventType<MouseEvent> type, Point2D place, Node target) {
+        fire(type, place, target, false, false);
     }
 
-    private static void fire(
-            EventType<MouseEvent> type, Point2D place, PictureView view, boolean shift, boolean control) {
+    private static void fire(EventType<MouseEvent> type, Point2D place, Node target, boolean shift, boolean control) {
         driver.run(() -> {
-            Point2D inScene = view.localToScene(view.screenToLocal(place));
+            Point2D inScene = target.localToScene(target.screenToLocal(place));
             MouseEvent event = new MouseEvent(
                     type,
                     inScene.getX(),
@@ -307,7 +311,7 @@ class BodiesTest {
                     false,
                     type.equals(MouseEvent.MOUSE_CLICKED),
                     null);
-            Event.fireEvent(view, event);
+            Event.fireEvent(target, event);
         });
     }
 
@@ -670,8 +674,91 @@ class BodiesTest {
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
+    private static double radius() {
+        return BodyEdits.sphere(scene(), MIDDLE).radius();
+    }
+
+    @Test
+    void theDividerOverAHandleIsWhatThePointerHolds() {
+        click(seenAt(MIDDLE));
+        driver.typeWith(KeyCode.K, KeyCode.CONTROL);
+        driver.pulse();
+        Point2D box = middleOf("#scale-handle");
+        Region divider = driver.find("#divider", Region.class);
+        // The robot's drags leave what moves with them.
+        fire(MouseEvent.MOUSE_DRAGGED, box, divider);
+        driver.pulse();
+        double before = radius();
+        driver.withRobot(hand -> hand.mouseMove(box.getX(), box.getY()));
+        assertThat(WindowDriver.call(driver.find("#scale-handle", Node.class)::getPseudoClassStates))
+                .extracting(Object::toString)
+                .doesNotContain("pointed");
+        fire(MouseEvent.MOUSE_PRESSED, box, divider);
+        fire(MouseEvent.MOUSE_DRAGGED, box.add(30, 0), divider);
+        fire(MouseEvent.MOUSE_RELEASED, box.add(30, 0), divider);
+        driver.pulse();
+        assertThat(radius()).isEqualTo(before);
+        assertThat(middleOf("#divider").getX()).isCloseTo(box.getX() + 30, within(2.0));
+        driver.typeWith(KeyCode.K, KeyCode.CONTROL);
+    }
+
+    @Test
+    void anotherButtonChangesNothingWhileAHandleIsHeld() {
+        click(seenAt(MIDDLE));
+        Point2D box = middleOf("#scale-handle");
+        driver.withRobot(hand -> hand.mouseMove(box.getX(), box.getY()));
+        driver.withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
+        driver.withRobot(hand -> hand.mouseMove(box.getX() + 10, box.getY() + 10));
+        double before = radius();
+        driver.withRobot(hand -> hand.mousePress(MouseButton.SECONDARY));
+        driver.withRobot(hand -> hand.mouseMove(box.getX() + 20, box.getY() + 20));
+        double pressed = radius();
+        driver.withRobot(hand -> hand.mouseRelease(MouseButton.SECONDARY));
+        driver.withRobot(hand -> hand.mouseMove(box.getX() + 30, box.getY() + 30));
+        driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+        assertThat(pressed).isGreaterThan(before);
+        assertThat(radius()).isGreaterThan(pressed);
+        assertThat(bodies()).isEqualTo(SelectedBodies.of(MIDDLE));
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
+    }
+
+    @Test
+    void aHandleIsLetGoWhenTheWindowLosesTheFocus() {
+        driver.run(() -> driver.studio.selection().select(MIDDLE));
+        SimpleBooleanProperty focused = new SimpleBooleanProperty(true);
+        Stage other = WindowDriver.call(Stage::new);
+        PictureView view = WindowDriver.call(() -> new PictureView(driver.studio));
+        driver.run(() -> {
+            StackPane around = new StackPane(view);
+            AxisHandles arrows = new AxisHandles(view, driver.studio, new PathPick(driver.studio));
+            TransformHandles handles = new TransformHandles(view, driver.studio, arrows);
+            HandleMouse.install(around, view, driver.studio, handles, focused);
+            view.addOverlay(new SelectionView(view, driver.studio, List.of(handles, arrows)));
+            other.setScene(new javafx.scene.Scene(around, 320, 240));
+            // Beside the window of the other tests, which look at its pixels.
+            other.setX(driver.stage.getWidth());
+            other.setY(0);
+            other.show();
+        });
+        driver.pulse();
+        driver.await(() -> view.lookup("#scale-handle").isVisible());
+        Point2D start = middleOf(view.lookup("#scale-handle"));
+        fire(MouseEvent.MOUSE_PRESSED, start, view);
+        fire(MouseEvent.MOUSE_DRAGGED, start.add(20, 20), view);
+        Scene scaled = scene();
+        driver.run(() -> focused.set(false));
+        fire(MouseEvent.MOUSE_DRAGGED, start.add(70, 70), view);
+        driver.run(other::hide);
+        assertThat(scaled).isNotEqualTo(WindowDriver.call(driver.studio.document()::original));
+        assertThat(scene()).isEqualTo(scaled);
+    }
+
     private static Point2D middleOf(String selector) {
-        Node node = driver.find(selector, Node.class);
+        return middleOf(driver.find(selector, Node.class));
+    }
+
+    private static Point2D middleOf(Node node) {
         return WindowDriver.call(() -> node.localToScreen(
                 node.getLayoutBounds().getCenterX(), node.getLayoutBounds().getCenterY()));
     }

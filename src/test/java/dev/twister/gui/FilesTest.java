@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.controls.Command;
+import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.files.SceneSaving;
 import dev.twister.gui.model.DaylightFile;
@@ -12,6 +13,8 @@ import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.panel.Panel;
+import dev.twister.gui.picture.PictureActions;
+import dev.twister.gui.studio.Errands;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.mesh.MeshException;
@@ -35,6 +38,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javafx.scene.control.Button;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.DialogPane;
@@ -700,5 +704,24 @@ class FilesTest {
         DialogPane dialog = awaitDialog("complaint");
         assertThat(dialog.getContentText()).contains("there is no such folder");
         answer(dialog, "OK");
+    }
+
+    @Test
+    void aRecordingThatStartsAfterTheEndEndsAtOnce() throws IOException {
+        Path frames = Files.createDirectory(folder.resolve("frames"));
+        driver.files.choose(frames);
+        AtomicBoolean passed = new AtomicBoolean();
+        try (Errands errands = new Errands()) {
+            PictureActions pictures =
+                    new PictureActions(driver.studio, driver.files, new Dialogs(driver.stage), errands);
+            driver.run(() -> {
+                pictures.toggleRecording();
+                pictures.finish();
+                errands.run(() -> "", _ -> passed.set(true), _ -> {});
+            });
+            driver.await(passed::get);
+            assertThat(pictures.recorderProperty().get()).isEmpty();
+        }
+        assertThat(frames).isEmptyDirectory();
     }
 }

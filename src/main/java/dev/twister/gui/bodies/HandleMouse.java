@@ -11,8 +11,11 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import javafx.beans.value.ObservableValue;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
 import javafx.scene.input.MouseButton;
@@ -48,7 +51,12 @@ public final class HandleMouse {
      *
      * @param around the picture, so that they run before all of the picture's own
      */
-    public static void install(Node around, PictureView view, Studio studio, TransformHandles handles) {
+    public static void install(
+            Node around,
+            PictureView view,
+            Studio studio,
+            TransformHandles handles,
+            ObservableValue<Boolean> windowFocused) {
         HandleMouse mouse = new HandleMouse(view, studio, handles);
         around.addEventFilter(MouseEvent.MOUSE_MOVED, event -> handles.point(mouse.handle(event)));
         around.addEventFilter(MouseEvent.MOUSE_PRESSED, mouse::pressed);
@@ -59,15 +67,31 @@ public final class HandleMouse {
                 event.consume();
             }
         });
+        windowFocused.subscribe(focused -> {
+            if (!focused) {
+                mouse.letGo();
+            }
+        });
         studio.selection().bodiesProperty().subscribe(_ -> mouse.letGo());
     }
 
+    /** The handle under the pointer; none where something else lies over the picture. */
     private Optional<Handle> handle(MouseEvent event) {
         Point2D place = place(event);
-        return handles.handleAt(place.getX(), place.getY());
+        return isInPicture(event) ? handles.handleAt(place.getX(), place.getY()) : Optional.empty();
+    }
+
+    private boolean isInPicture(MouseEvent event) {
+        return event.getTarget() instanceof Node target
+                && Stream.iterate(target, Objects::nonNull, Node::getParent).anyMatch(view::equals);
     }
 
     private void pressed(MouseEvent event) {
+        if (held.isPresent() && event.getButton() != MouseButton.PRIMARY) {
+            event.consume();
+            return;
+        }
+        // The release of a button over another window is not reported.
         letGo();
         Optional<Handle> handle = handle(event)
                 .filter(_ -> !event.isConsumed())
@@ -105,7 +129,9 @@ public final class HandleMouse {
 
     private void released(MouseEvent event) {
         if (held.isPresent()) {
-            letGo();
+            if (event.getButton() == MouseButton.PRIMARY) {
+                letGo();
+            }
             event.consume();
         }
     }

@@ -36,6 +36,7 @@ public final class PictureActions implements AutoCloseable {
     private final List<FrameRecorder> finishing = new ArrayList<>();
 
     private Path lastFolder = Path.of("").toAbsolutePath();
+    private boolean finished;
 
     public PictureActions(Studio studio, FileChoice choice, Dialogs dialogs, Errands errands) {
         this.studio = studio;
@@ -104,8 +105,9 @@ public final class PictureActions implements AutoCloseable {
         });
     }
 
-    /** Ends a recording. Returns at once. */
+    /** Ends a recording, and begins no other. Returns at once. */
     public void finish() {
+        finished = true;
         if (recorder.get().isPresent()) {
             endRecording();
         }
@@ -126,7 +128,8 @@ public final class PictureActions implements AutoCloseable {
     }
 
     private void record(FrameRecorder started) {
-        if (recorder.get().isEmpty()) {
+        // The window may have been closed while the folder was looked at.
+        if (recorder.get().isEmpty() && !finished) {
             // At rest no other picture may come.
             studio.pictureProperty().get().ifPresent(shown -> record(started, shown));
             studio.watch(picture -> record(started, picture));
