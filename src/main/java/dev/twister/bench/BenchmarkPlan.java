@@ -18,8 +18,8 @@ import java.util.stream.Stream;
  *     their start meanwhile.
  * @param frames measured frames
  * @param maxSeconds limit per engine and setting, of which warm-up takes at most half; if it is short, fewer frames are
- *     measured, but always at least one of each. Small frames have the same limit for each of the {@link #shown}
- *     settings.
+ *     measured, but always at least one of each, and 6 of a device's warm-up. Small frames have the same limit for each
+ *     of the {@link #shown} settings.
  */
 public record BenchmarkPlan(
         List<String> engines,

@@ -13,6 +13,9 @@ record EngineMeasuring(AskedEngine asked, BenchmarkPlan plan, BenchmarkProgress 
     private static final double NANOS_PER_MILLI = 1e6;
     private static final double NANOS_PER_SECOND = 1e9;
 
+    /** In which a device tries work-groups. */
+    private static final int FIRST_OF_A_DEVICE = 6;
+
     /**
      * Renders the bodies at rest, then in motion if they move: the same frames for every engine, regardless of the
      * number of warm-up frames.
@@ -24,7 +27,7 @@ record EngineMeasuring(AskedEngine asked, BenchmarkPlan plan, BenchmarkProgress 
         Frame frame = Frame.ofPixels(setting.size().width(), setting.size().height());
         long start = System.nanoTime();
         int warmups = 0;
-        while (warmups < plan.warmupFrames() && (warmups == 0 || isWithin(start, plan.maxSeconds() / 2))) {
+        while (warmups < plan.warmupFrames() && (warmups < fewestWarmups() || isWithin(start, plan.maxSeconds() / 2))) {
             draw(bodies.rehearse(), frame);
             warmups++;
         }
@@ -53,6 +56,10 @@ record EngineMeasuring(AskedEngine asked, BenchmarkPlan plan, BenchmarkProgress 
     private void draw(FrameInput input, Frame frame) {
         asked.engine().render(input, frame);
         progress.drewFrame();
+    }
+
+    private int fewestWarmups() {
+        return asked.isDevice() ? FIRST_OF_A_DEVICE : 1;
     }
 
     private static boolean isWithin(long start, double seconds) {

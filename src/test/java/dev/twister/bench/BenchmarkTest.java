@@ -83,6 +83,15 @@ class BenchmarkTest {
     }
 
     @Test
+    void deviceTriesItsWorkGroupsBeforeMeasuredFrames() {
+        Measurement measurement =
+                run(plan(List.of("tornado:0:0"), 100, 100, 1e-9)).measurements().getFirst();
+
+        assertThat(measurement.warmupFrames()).isEqualTo(6);
+        assertThat(measurement.times().frames()).isEqualTo(1);
+    }
+
+    @Test
     void anotherPictureFails() {
         BenchmarkReport report = run(plan(List.of("wrong"), 0, 1, 1000));
 
@@ -352,7 +361,8 @@ class BenchmarkTest {
             case "parallel", "becomes parallel" -> new FakeEngine("parallel", GRAY, FrameTimes.onJvm(4_000_000));
             case "other" -> new FakeEngine(id, GRAY, FrameTimes.onJvm(2_000_000));
             case "wrong" -> new FakeEngine(id, GRAY + 2, FrameTimes.onJvm(1_000_000));
-            case "device" -> new FakeEngine(id, GRAY, new FrameTimes(11_000_000, 6_000_000, 1_000_000, 3_000_000));
+            case "device", "tornado:0:0" ->
+                new FakeEngine(id, GRAY, new FrameTimes(11_000_000, 6_000_000, 1_000_000, 3_000_000));
             case "greedy" -> new GreedyEngine(open("sequential"), id, LARGE.width());
             default -> throw new EngineException("out of order");
         };
