@@ -13,7 +13,7 @@ record EngineMeasuring(AskedEngine asked, BenchmarkPlan plan, BenchmarkProgress 
     private static final double NANOS_PER_MILLI = 1e6;
     private static final double NANOS_PER_SECOND = 1e9;
 
-    /** In which a device tries work-groups. */
+    /** In which the TornadoVM engine tries work-groups: {@code WorkGroups}. */
     private static final int FIRST_OF_A_DEVICE = 6;
 
     /**

@@ -23,6 +23,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class BenchmarkTest {
     private static final PictureSize SMALL = new PictureSize(5, 3);
@@ -73,21 +75,14 @@ class BenchmarkTest {
         assertThat(report.speedupOver("missing", other)).isEmpty();
     }
 
-    @Test
-    void shortTimeStillTakesAFrameOfEach() {
+    /** And those in which a device tries work-groups. */
+    @ParameterizedTest
+    @CsvSource({"sequential, 1", "tornado:0:0, 6"})
+    void shortTimeStillTakesAFrameOfEach(String engine, int warmups) {
         Measurement measurement =
-                run(plan(List.of("sequential"), 100, 100, 1e-9)).measurements().getFirst();
+                run(plan(List.of(engine), 100, 100, 1e-9)).measurements().getFirst();
 
-        assertThat(measurement.warmupFrames()).isEqualTo(1);
-        assertThat(measurement.times().frames()).isEqualTo(1);
-    }
-
-    @Test
-    void deviceTriesItsWorkGroupsBeforeMeasuredFrames() {
-        Measurement measurement =
-                run(plan(List.of("tornado:0:0"), 100, 100, 1e-9)).measurements().getFirst();
-
-        assertThat(measurement.warmupFrames()).isEqualTo(6);
+        assertThat(measurement.warmupFrames()).isEqualTo(warmups);
         assertThat(measurement.times().frames()).isEqualTo(1);
     }
 

@@ -33,6 +33,7 @@ import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Group;
 import javafx.scene.Node;
+import javafx.scene.Parent;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
@@ -242,6 +243,14 @@ class BodiesTest {
         assertThat(scene().spheres()).isEqualTo(moved.spheres());
     }
 
+    /** Beside the window of the other tests, which look at its pixels. */
+    private static void show(Stage other, Parent root) {
+        other.setScene(new javafx.scene.Scene(root, 320, 240));
+        other.setX(driver.stage.getWidth());
+        other.setY(0);
+        other.show();
+    }
+
     @Test
     void aDragEndsWhenTheWindowLosesTheFocus() {
         driver.run(() -> driver.studio.selection().select(MIDDLE));
@@ -251,11 +260,7 @@ class BodiesTest {
         driver.run(() -> {
             PathPick paths = new PathPick(driver.studio);
             BodyMouse.install(view, driver.studio, paths, new AxisHandles(view, driver.studio, paths), focused);
-            other.setScene(new javafx.scene.Scene(view, 320, 240));
-            // Beside the window of the other tests, which look at its pixels.
-            other.setX(driver.stage.getWidth());
-            other.setY(0);
-            other.show();
+            show(other, view);
         });
         driver.pulse();
         Point2D start = seenAt(MIDDLE, view);
@@ -735,11 +740,7 @@ class BodiesTest {
             TransformHandles handles = new TransformHandles(view, driver.studio, arrows);
             HandleMouse.install(around, view, driver.studio, handles, focused);
             view.addOverlay(new SelectionView(view, driver.studio, List.of(handles, arrows)));
-            other.setScene(new javafx.scene.Scene(around, 320, 240));
-            // Beside the window of the other tests, which look at its pixels.
-            other.setX(driver.stage.getWidth());
-            other.setY(0);
-            other.show();
+            show(other, around);
         });
         driver.pulse();
         driver.await(() -> view.lookup("#scale-handle").isVisible());

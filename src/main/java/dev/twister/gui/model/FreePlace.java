@@ -141,7 +141,8 @@ final class FreePlace {
     private Vector3 nearest(Vector3 wanted) {
         Vector3 right = projection.right();
         Vector3 deep = new Vector3(-right.z(), 0, right.x());
-        BodyExtent reached = BodyExtent.ball(wanted, Math.sqrt(2) * STEPS * STEP + body.radius());
+        BodyExtent reached =
+                BodyExtent.ball(SceneLimits.POSITION.clamp(wanted), Math.sqrt(2) * STEPS * STEP + body.radius());
         List<BodyExtent> near =
                 others.stream().filter(other -> other.isNear(reached, GAP)).toList();
         Vector3 best = wanted;
