@@ -4,6 +4,8 @@ import dev.twister.image.Frame;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Path;
 import dev.twister.kernel.PixelKernel;
+import dev.twister.kernel.SeveralLights;
+import dev.twister.kernel.Variant;
 import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
 import dev.twister.world.View;
@@ -42,16 +44,20 @@ public final class JvmKernel {
     }
 
     /**
-     * The visible part of the light, in [0, 1], where the {@link #path} hits a body: {@link Path#visible}.
+     * The visible part of a light, in [0, 1], where the {@link #path} hits a body: {@link Path#visible}.
      *
      * @param bounce number of surfaces that the path has left
+     * @param light the light's body
      */
-    public float visible(FrameInput input, int body, int bounce) {
+    public float visible(FrameInput input, int body, int bounce, int light) {
         float[] frame = input.view().frame();
         Bodies bodies = input.bodies();
         int variant = input.variant(false);
         path[Layout.BOUNCE] = bounce;
         Path.meet(path, body, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.images(), variant);
+        if ((variant & Variant.LIGHTS) != 0) {
+            SeveralLights.choose(path, light, bodies.floats());
+        }
         return Path.visible(path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
     }
 

@@ -1,11 +1,9 @@
 package dev.twister.engine;
 
 import dev.twister.image.Frame;
-import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.PathTracer;
 import dev.twister.kernel.PixelKernel;
-import dev.twister.kernel.Variant;
 import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
 
@@ -54,19 +52,18 @@ public final class JvmPath {
      * Ends the current ray, and replaces it by the next one. {@link Layout#DISTANCE}, {@link Layout#INSTANCE} and
      * {@link Layout#TRIANGLE} describe the hit.
      *
-     * @param hit the closest body, not counting the lights after the first
+     * @param hit the closest body
      */
     public void end(FrameInput input, int hit, int variant) {
         float[] frame = input.view().frame();
         Bodies bodies = input.bodies();
-        int body = (variant & Variant.LIGHTS) == 0 ? hit : Hit.amongLights(path, hit, frame, bodies.floats());
         if (ray == PathTracer.TO_EMITTER) {
             boolean blocked = path[Layout.DISTANCE] < path[Layout.LIGHT_DISTANCE];
-            ray = PathTracer.light(path, blocked ? body : Layout.NOTHING, scratch, variant);
+            ray = PathTracer.light(path, blocked ? hit : Layout.NOTHING, scratch, variant);
         } else {
             ray = PathTracer.arrive(
                     path,
-                    body,
+                    hit,
                     bounce,
                     scratch,
                     frame,

@@ -76,7 +76,7 @@ public final class Hit {
     }
 
     /** The closest hit so far, at {@link Layout#DISTANCE}, or a closer one of the lights after the first. */
-    public static int amongLights(float[] path, int first, float[] frame, float[] bodies) {
+    private static int amongLights(float[] path, int first, float[] frame, float[] bodies) {
         int hit = first;
         int lights = (int) frame[Layout.LIGHTS];
         for (int index = 1; index < lights; index++) {

@@ -21,6 +21,7 @@ import dev.twister.engine.vector.step.MetalLanes;
 import dev.twister.engine.vector.step.NearestSphere;
 import dev.twister.engine.vector.step.RefractionLanes;
 import dev.twister.engine.vector.step.ScatterLanes;
+import dev.twister.engine.vector.step.SeveralLightLanes;
 import dev.twister.engine.vector.step.SkyDirection;
 import dev.twister.engine.vector.step.SphereSurface;
 import dev.twister.engine.vector.step.TextureLanes;
@@ -43,7 +44,7 @@ final class BounceRenderer {
             bench.handover.endAtHits(rays, drawing, bounce);
         }
         if (rays.lights.count > 0) {
-            LightHit.add(rays, drawing.bodies);
+            LightHit.add(rays, drawing);
         }
         if (rays.skies.count > 0) {
             addSky(drawing, rays, (bounce == 0 && !drawing.lens) || offPlane, offPlane);
@@ -73,7 +74,7 @@ final class BounceRenderer {
             PacketHits.find(rays, drawing, bench.walks);
         } else {
             rise = bench.choices.cull(rays, drawing, bounce, offPlane);
-            if (rise && rays.candidates.count == 0 && !rays.nearMeshes) {
+            if (rise && rays.candidates.count == 0 && !rays.nearMeshes && drawing.lightCount == 1) {
                 HitSorting.sortSkies(rays);
                 return;
             }
@@ -88,10 +89,13 @@ final class BounceRenderer {
         if (!rise) {
             GroundHit.find(rays, drawing);
         }
+        if (drawing.lightCount > 1) {
+            PacketHits.findFurtherLights(rays, drawing);
+        }
         if (rays.nearMeshes) {
             MeshHits.find(drawing, rays, bench.meshes);
         }
-        HitSorting.sort(rays);
+        HitSorting.sort(rays, drawing);
     }
 
     private void addSky(Drawing drawing, Tile rays, boolean ofViewRays, boolean mirrored) {
@@ -108,20 +112,13 @@ final class BounceRenderer {
         if (drawing.looks.isAny()) {
             findMaterials(drawing, rays);
         }
-        LightDirection.find(drawing, rays);
-        if (rays.meshes.count > 0) {
-            MeshSurfaceLanes.darken(rays, drawing.bodies.meshes.firstBody);
-        }
-        if (drawing.looks.transparent) {
-            TransmittingSurface.leaveInTheLight(rays);
-        }
-        if (drawing.declined.occluders().count > 0 || drawing.planeMayShade) {
-            bench.handover.endInShadows(rays, drawing, bounce);
-        }
-        findShadows(drawing, rays, bounce);
-        Highlight.find(rays);
-        if (drawing.looks.metallic) {
-            MetalLanes.tintHighlights(rays, drawing);
+        if (drawing.severalLights) {
+            sumLights(drawing, rays, bounce);
+        } else {
+            illuminate(drawing, rays, bounce);
+            if (drawing.looks.metallic) {
+                MetalLanes.tintHighlights(rays, drawing);
+            }
         }
         ScatterLanes.shade(rays, drawing);
         if (drawing.looks.isAny()) {
@@ -133,6 +130,33 @@ final class BounceRenderer {
         if (rays.meshes.count > 0) {
             MeshSurfaceLanes.leave(rays);
         }
+    }
+
+    private void sumLights(Drawing drawing, Tile rays, int bounce) {
+        SeveralLightLanes.start(rays);
+        for (int light = 0; light < drawing.lightCount; light++) {
+            rays.light = light;
+            illuminate(drawing, rays, bounce);
+            SeveralLightLanes.add(rays, drawing);
+        }
+        rays.light = 0;
+        SeveralLightLanes.finish(rays, drawing.looks.metallic);
+    }
+
+    /** Writes direction, visible part and highlight of the light that shades. */
+    private void illuminate(Drawing drawing, Tile rays, int bounce) {
+        LightDirection.find(drawing, rays);
+        if (rays.meshes.count > 0) {
+            MeshSurfaceLanes.darken(rays, drawing.bodies.meshes.firstBody);
+        }
+        if (drawing.looks.transparent) {
+            TransmittingSurface.leaveInTheLight(rays);
+        }
+        if (drawing.mayDeclineShadows(drawing.lights[rays.light])) {
+            bench.handover.findDeclinedShadows(rays, drawing, bounce);
+        }
+        findShadows(drawing, rays, bounce);
+        Highlight.find(rays);
     }
 
     private void findShadows(Drawing drawing, Tile rays, int bounce) {

@@ -26,10 +26,11 @@ final class Handover {
     }
 
     /**
-     * Lets the kernel follow each ray whose surface point has a declined body among its possible occluders, and ends
-     * that ray. The other points stay in {@link Tile#shadows}.
+     * Lets the kernel compute the visible part of the light at each point that has a declined body or the plane among
+     * its possible occluders. The other points stay in {@link Tile#shadows}.
      */
-    void endInShadows(Tile tile, Drawing drawing, int bounce) {
+    void findDeclinedShadows(Tile tile, Drawing drawing, int bounce) {
+        float[] t = tile.values;
         int kept = 0;
         ShadowCandidates.findDiscs(tile, drawing);
         for (int k = 0; k < tile.shadows.count; k++) {
@@ -37,7 +38,9 @@ final class Handover {
             long open = ShadowCandidates.open(tile, at);
             long declined = open & ShadowCandidates.declined(tile, at, drawing);
             for (long rest = declined; rest != 0L; rest &= rest - 1) {
-                end(tile, drawing, at + Long.numberOfTrailingZeros(rest), bounce);
+                int pixel = at + Long.numberOfTrailingZeros(rest);
+                t[pixel + Tile.VISIBLE] = visible(t, drawing, tile.light, pixel, bounce);
+                t[pixel + Tile.SHADOW_OPEN] = 0f;
             }
             if (open != declined) {
                 tile.shadows.places[kept] = at;
@@ -82,20 +85,21 @@ final class Handover {
                 float blocked = t[pixel + Tile.MESH_BLOCKED];
                 if (blocked != 0f && t[pixel + Tile.VISIBLE] > 0f) {
                     boolean alone = t[pixel + Tile.VISIBLE] >= 1f;
-                    t[pixel + Tile.VISIBLE] =
-                            alone ? 1f - blocked / drawing.shadowSamples : visible(t, drawing, pixel, bounce);
+                    t[pixel + Tile.VISIBLE] = alone
+                            ? 1f - blocked / drawing.shadowSamples
+                            : visible(t, drawing, tile.light, pixel, bounce);
                 }
             }
         }
     }
 
-    private float visible(float[] t, Drawing drawing, int pixel, int bounce) {
+    private float visible(float[] t, Drawing drawing, int light, int pixel, int bounce) {
         float[] path = kernel.path();
         takeRay(t, pixel);
         path[Layout.DISTANCE] = t[pixel + Tile.DISTANCE];
         path[Layout.INSTANCE] = t[pixel + Tile.INSTANCE];
         path[Layout.TRIANGLE] = t[pixel + Tile.TRIANGLE];
-        return kernel.visible(drawing.input, (int) t[pixel + Tile.HIT], bounce);
+        return kernel.visible(drawing.input, (int) t[pixel + Tile.HIT], bounce, drawing.lights[light].body);
     }
 
     private void takeRay(float[] t, int pixel) {

@@ -1,11 +1,10 @@
 package dev.twister.engine.vector.crowd;
 
-import dev.twister.engine.vector.frame.BodyColumns;
 import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.ShadingLight;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.SphereColumns;
 import dev.twister.engine.vector.lanes.Tile;
-import dev.twister.kernel.Layout;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
@@ -107,13 +106,13 @@ public final class Beam {
      * @param number the packet's index in {@link Tile#shadows}
      */
     public void holdLines(Tile tile, Drawing drawing, int number, float radius) {
-        BodyColumns bodies = drawing.bodies;
+        ShadingLight light = drawing.lights[tile.light];
         bound(tile, tile.shadows.places, number, number + 1, Tile.POINT_X, Tile.SHADOW_OPEN);
-        linesOfAll(x, bodies.x[Layout.LIGHT], radius);
+        linesOfAll(x, light.x, radius);
         bound(tile, tile.shadows.places, number, number + 1, Tile.POINT_Y, Tile.SHADOW_OPEN);
-        linesOfAll(y, bodies.y[Layout.LIGHT], radius);
+        linesOfAll(y, light.y, radius);
         bound(tile, tile.shadows.places, number, number + 1, Tile.POINT_Z, Tile.SHADOW_OPEN);
-        linesOfAll(z, bodies.z[Layout.LIGHT], radius);
+        linesOfAll(z, light.z, radius);
         end = 1f + DISC_SPREAD;
         finish();
     }

@@ -34,7 +34,7 @@ public final class PacketHits {
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
             int goesOn = (int) start(tile, at);
-            meet(tile, at, drawing.light.values, SphereColumns.FIRST, 1);
+            meet(tile, at, drawing.lightSpheres.values, SphereColumns.FIRST, 1);
             int together = (int) gather(tile, at, goesOn);
             if (together != 0) {
                 tile.together.add(at);
@@ -46,6 +46,18 @@ public final class PacketHits {
         }
         for (int from = 0; from < tile.lonely.count; from += Lanes.COUNT) {
             walkAlone(drawing, tile, walks, from, Math.min(Lanes.COUNT, tile.lonely.count - from));
+        }
+    }
+
+    /** Replaces hits and distances where a light after the first is closer. */
+    public static void findFurtherLights(Tile tile, Drawing drawing) {
+        SphereColumns lights = drawing.lightSpheres;
+        for (int first = 0; first < drawing.lightCount; first += Lanes.COUNT) {
+            long wanted = Lanes.first(Math.min(Lanes.COUNT, drawing.lightCount - first));
+            int block = SphereColumns.FIRST + first / Lanes.COUNT * lights.step;
+            for (int k = 0; k < tile.live.count; k++) {
+                meet(tile, tile.live.places[k], lights.values, block, first == 0 ? wanted & ~1L : wanted);
+            }
         }
     }
 

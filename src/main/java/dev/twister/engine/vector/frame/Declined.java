@@ -7,6 +7,7 @@ import dev.twister.kernel.Texture;
 import dev.twister.kernel.Tone;
 import dev.twister.kernel.Variant;
 import dev.twister.world.FrameInput;
+import java.util.Arrays;
 import java.util.function.IntPredicate;
 
 /** The parts of a frame that lanes decline; the scalar kernel renders them. */
@@ -61,7 +62,6 @@ public final class Declined {
         }
         int toneMap = (int) input.view().frame()[Layout.TONE_MAP];
         frame = input.aspect() != Aspect.FULL
-                || (input.hasSeveralLights() && !input.tracesPaths())
                 || (input.variant(false) & Variant.MASKS) != 0
                 || toneMap < Tone.CLAMP
                 || toneMap > Tone.ACES
@@ -71,32 +71,37 @@ public final class Declined {
     }
 
     private static boolean isCameraOnASurface(FrameInput input) {
-        float[] places = input.bodies().floats();
-        float[] camera = input.view().frame();
-        float cameraX = camera[Layout.CAMERA_POSITION];
-        float cameraY = camera[Layout.CAMERA_POSITION + 1];
-        float cameraZ = camera[Layout.CAMERA_POSITION + 2];
-        float aperture = camera[Layout.CAMERA_APERTURE];
         boolean on = false;
-        int end = Layout.PLACE_STRIDE * input.bodyCount();
-        for (int place = 0; place < end && !on; place += Layout.PLACE_STRIDE) {
-            float x = places[place] - cameraX;
-            float y = places[place + 1] - cameraY;
-            float z = places[place + 2] - cameraZ;
-            float radiusSquared = places[place + Layout.PLACE_SIZE] * places[place + Layout.PLACE_SIZE];
-            float squared = x * x + y * y + z * z;
-            float away = (float) Math.sqrt(squared) - places[place + Layout.PLACE_SIZE];
-            boolean throughLens = aperture > 0f && Math.abs(away) <= INSIDE * aperture;
-            on = (throughLens || Math.abs(squared - radiusSquared) <= ROUNDING * radiusSquared)
-                    && place != Layout.PLACE_STRIDE * Layout.PLANE;
+        for (int body = 0; body < input.bodyCount() && !on; body++) {
+            on = body != Layout.PLANE && isCameraOn(input, body);
+        }
+        for (int light = 1; light < input.lights() && !on; light++) {
+            on = isCameraOn(input, input.light(light));
         }
         return on;
     }
 
+    private static boolean isCameraOn(FrameInput input, int body) {
+        float[] places = input.bodies().floats();
+        float[] camera = input.view().frame();
+        int place = Layout.PLACE_STRIDE * body;
+        float x = places[place] - camera[Layout.CAMERA_POSITION];
+        float y = places[place + 1] - camera[Layout.CAMERA_POSITION + 1];
+        float z = places[place + 2] - camera[Layout.CAMERA_POSITION + 2];
+        float radius = places[place + Layout.PLACE_SIZE];
+        float aperture = camera[Layout.CAMERA_APERTURE];
+        float squared = x * x + y * y + z * z;
+        float away = (float) Math.sqrt(squared) - radius;
+        boolean throughLens = aperture > 0f && Math.abs(away) <= INSIDE * aperture;
+        return throughLens || Math.abs(squared - radius * radius) <= ROUNDING * radius * radius;
+    }
+
     private void takeBodies(int firstMesh) {
-        if (declined.length < end) {
-            declined = new boolean[end];
+        int allBodies = looks.length / Layout.LOOK_STRIDE;
+        if (declined.length < allBodies) {
+            declined = new boolean[allBodies];
         }
+        Arrays.fill(declined, false);
         occluders.reserve(end);
         occluders.clear();
         any = false;

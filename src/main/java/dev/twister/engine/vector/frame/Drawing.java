@@ -7,7 +7,6 @@ import dev.twister.image.Frame;
 import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Intersection;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Shadow;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
 
@@ -22,8 +21,16 @@ public final class Drawing {
     public final DiscOrders discOrders = new DiscOrders();
     public final PaddedSky sky = new PaddedSky();
 
-    /** The light, as a block of one sphere. */
-    public final SphereColumns light = new SphereColumns();
+    /** The lights, in blocks of {@link Lanes#COUNT} spheres. */
+    public final SphereColumns lightSpheres = new SphereColumns();
+
+    /** At least {@link #lightCount} lights. */
+    public ShadingLight[] lights = {};
+
+    public int lightCount;
+
+    /** Whether the light of several lights is summed up: there are several, or one whose share is not 1. */
+    public boolean severalLights;
 
     /** Whether this frame uses the hierarchy, because it has many bodies. */
     public boolean crowded;
@@ -50,17 +57,6 @@ public final class Drawing {
     public float planeX;
 
     public float planeZ;
-
-    /** Radius of the disc of shadow samples: twice the light's radius. */
-    public float discRadius;
-
-    /** Lowest and highest y of the disc in any orientation, in meters. */
-    public float discLow;
-
-    public float discHigh;
-
-    /** Whether the plane may lie between a body's surface point and a light sample. */
-    public boolean planeMayShade;
 
     /** x and y of each of the unit disc's samples. */
     public float[] disc = {};
@@ -103,7 +99,6 @@ public final class Drawing {
         crowded = walk;
         if (crowded) {
             hierarchy.take(newInput);
-            takeLight();
         }
         sky.take(newInput);
         float[] values = newInput.view().frame();
@@ -119,26 +114,37 @@ public final class Drawing {
         planeX = newInput.bodies().center(Layout.PLANE, 0);
         planeZ = newInput.bodies().center(Layout.PLANE, 2);
         planeHalfSide = Intersection.PLANE_REACH * newInput.bodies().size(Layout.PLANE);
-        discRadius = 2f * newInput.bodies().size(Layout.LIGHT);
-        float reach = discRadius * Shadow.RELATIVE_MARGIN;
-        discLow = bodies.y[Layout.LIGHT] - reach;
-        discHigh = bodies.y[Layout.LIGHT] + reach;
-        planeMayShade = (bodies.lowest <= planeHeight && discHigh >= planeHeight)
-                || (bodies.highest >= planeHeight && discLow <= planeHeight);
+        takeLights();
         takeDisc(values);
         float rimX = disc[2 * shadowSamples - 2];
         float rimY = disc[2 * shadowSamples - 1];
         rim = (float) Math.sqrt(rimX * rimX + rimY * rimY);
     }
 
-    private void takeLight() {
-        light.reserveBlocks(1);
-        int at = SphereColumns.FIRST;
-        light.values[at] = bodies.x[Layout.LIGHT];
-        light.values[at + SphereColumns.Y * Lanes.COUNT] = bodies.y[Layout.LIGHT];
-        light.values[at + SphereColumns.Z * Lanes.COUNT] = bodies.z[Layout.LIGHT];
-        light.values[at + SphereColumns.RADIUS * Lanes.COUNT] = bodies.radius[Layout.LIGHT];
-        light.values[at + SphereColumns.BODY * Lanes.COUNT] = Layout.LIGHT;
+    private void takeLights() {
+        lightCount = input.lights();
+        severalLights = input.hasSeveralLights();
+        if (lights.length < lightCount) {
+            lights = new ShadingLight[lightCount];
+            Arrays.setAll(lights, _ -> new ShadingLight());
+        }
+        lightSpheres.reserveBlocks((lightCount + Lanes.COUNT - 1) / Lanes.COUNT);
+        for (int index = 0; index < lightCount; index++) {
+            ShadingLight light = lights[index];
+            light.take(input, index, bodies, planeHeight);
+            int at = SphereColumns.FIRST + index / Lanes.COUNT * lightSpheres.step + index % Lanes.COUNT;
+            lightSpheres.values[at] = light.x;
+            lightSpheres.values[at + SphereColumns.Y * Lanes.COUNT] = light.y;
+            lightSpheres.values[at + SphereColumns.Z * Lanes.COUNT] = light.z;
+            lightSpheres.values[at + SphereColumns.RADIUS * Lanes.COUNT] =
+                    input.bodies().size(light.body);
+            lightSpheres.values[at + SphereColumns.BODY * Lanes.COUNT] = light.body;
+        }
+    }
+
+    /** Whether the plane or a declined body may lie between a surface point and the light. */
+    public boolean mayDeclineShadows(ShadingLight light) {
+        return declined.occluders().count > 0 || light.planeMayShade;
     }
 
     private void takeDisc(float[] values) {

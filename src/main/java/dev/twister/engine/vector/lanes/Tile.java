@@ -147,6 +147,13 @@ public final class Tile {
 
     public static final int TEXEL_ROW = FACET_Y;
 
+    /** Sums over several lights: of the factors of matte surfaces' colors, and of the highlights. */
+    public static final int LIT = SKY_TO_RIGHT;
+
+    public static final int HIGHLIGHT_RED = FACET_X;
+    public static final int HIGHLIGHT_GREEN = FACET_Y;
+    public static final int HIGHLIGHT_BLUE = FACET_Z;
+
     /** Two random numbers in [0, 1) that choose the microfacet. */
     public static final int FIRST_NUMBER = SKY_TO_RIGHT;
 
@@ -334,6 +341,9 @@ public final class Tile {
     public int left;
 
     public int top;
+
+    /** Number of the light that shades, from 0 on. */
+    public int light;
 
     /** Number of the pixel sample being rendered. */
     public int sample;

@@ -23,7 +23,7 @@ public final class LoneShadows {
         LoneCandidates candidates = bench.lone;
         for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
             if (t[pixel + Tile.SHADOW_OPEN] > 0f) {
-                candidates.start(t, pixel, drawing.discRadius);
+                candidates.start(t, pixel, drawing.lights[tile.light].discRadius);
                 boolean dark = candidates.add(near, SphereColumns.FIRST, count);
                 t[pixel + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
             }
@@ -55,7 +55,7 @@ public final class LoneShadows {
         for (long rest = shaded; rest != 0L; rest &= rest - 1) {
             int beam = Long.numberOfTrailingZeros(rest);
             int pixel = pixels[first + beam];
-            candidates.start(t, pixel, drawing.discRadius);
+            candidates.start(t, pixel, drawing.lights[tile.light].discRadius);
             boolean dark = found
                     ? addLeaves(bench, beam, drawing.hierarchy, candidates)
                     : descend(bench, tile, pixel, drawing.hierarchy, candidates);

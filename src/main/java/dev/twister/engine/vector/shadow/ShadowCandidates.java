@@ -2,6 +2,7 @@ package dev.twister.engine.vector.shadow;
 
 import dev.twister.engine.vector.frame.BodyColumns;
 import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.ShadingLight;
 import dev.twister.engine.vector.lanes.BodyList;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.ShadowColumns;
@@ -15,17 +16,19 @@ import jdk.incubator.vector.VectorOperators;
 
 /** Spheres that may lie between a packet's points and the light's disc: the culling of {@link Shadow}. */
 public final class ShadowCandidates {
+    /** Rounding of a disc's slope where it is nearly level. */
+    private static final float LEVEL_MARGIN = 1e-3f;
+
     private ShadowCandidates() {}
 
     /** Writes the disc's half angles, up to its outermost sample, for all packets with open lanes. */
     public static void findDiscs(Tile tile, Drawing drawing) {
         float[] t = tile.values;
+        float radius = drawing.lights[tile.light].discRadius * drawing.rim;
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
             FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
-            FloatVector tangent = Lanes.all(drawing.discRadius * drawing.rim)
-                    .div(distance)
-                    .blend(0f, distance.compare(VectorOperators.LE, 0f));
+            FloatVector tangent = Lanes.all(radius).div(distance).blend(0f, distance.compare(VectorOperators.LE, 0f));
             tangent.intoArray(t, at + Tile.DISC_TANGENT);
             Lanes.fma(tangent, tangent, Lanes.all(1f)).sqrt().intoArray(t, at + Tile.DISC_SECANT);
         }
@@ -191,7 +194,7 @@ public final class ShadowCandidates {
     /** One bit per lane whose point may be shaded by what lanes decline: some spheres, and the plane. */
     public static long declined(Tile tile, int at, Drawing drawing) {
         BodyList occluders = drawing.declined.occluders();
-        long declined = drawing.planeMayShade ? acrossPlane(tile, at, drawing) : 0L;
+        long declined = drawing.lights[tile.light].planeMayShade ? acrossPlane(tile, at, drawing) : 0L;
         for (int k = 0; k < occluders.count; k++) {
             declined |= between(tile.values, at, drawing.bodies, occluders.bodies[k]);
         }
@@ -202,17 +205,19 @@ public final class ShadowCandidates {
      * One bit per lane whose point is on a sphere or mesh and has the plane between it and part of the light's disc.
      */
     private static long acrossPlane(Tile tile, int at, Drawing drawing) {
+        ShadingLight light = drawing.lights[tile.light];
         FloatVector y = Lanes.load(tile.values, at + Tile.POINT_Y);
-        VectorMask<Float> below = y.compare(VectorOperators.LE, drawing.planeHeight);
-        VectorMask<Float> above = y.compare(VectorOperators.GE, drawing.planeHeight);
-        long across = 0L;
-        if (drawing.discHigh >= drawing.planeHeight) {
-            across |= below.toLong();
-        }
-        if (drawing.discLow <= drawing.planeHeight) {
-            across |= above.toLong();
-        }
-        return across
+        FloatVector rise = Lanes.load(tile.values, at + Tile.TO_LIGHT_Y);
+        FloatVector level =
+                Lanes.larger(Lanes.all(0f), Lanes.all(1f).sub(rise.mul(rise))).sqrt();
+        float margin = LEVEL_MARGIN * light.discRadius
+                + Shadow.ABSOLUTE_MARGIN * (Math.abs(light.y) + Math.abs(drawing.planeHeight));
+        FloatVector reach = Lanes.fma(level, Lanes.all(light.discRadius * Shadow.RELATIVE_MARGIN), Lanes.all(margin));
+        VectorMask<Float> fromBelow = y.compare(VectorOperators.LE, drawing.planeHeight)
+                .and(reach.add(light.y).compare(VectorOperators.GE, drawing.planeHeight));
+        VectorMask<Float> fromAbove = y.compare(VectorOperators.GE, drawing.planeHeight)
+                .and(Lanes.all(light.y).sub(reach).compare(VectorOperators.LE, drawing.planeHeight));
+        return fromBelow.or(fromAbove).toLong()
                 & Lanes.load(tile.values, at + Tile.HIT)
                         .compare(VectorOperators.GT, Layout.PLANE)
                         .toLong();

@@ -35,7 +35,7 @@ public final class ShadowFrame {
         uZ.mul(x).intoArray(frame, ShadowColumns.W_Y);
         uY.mul(x).neg().intoArray(frame, ShadowColumns.W_Z);
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
-        Lanes.all(drawing.discRadius)
+        Lanes.all(drawing.lights[tile.light].discRadius)
                 .div(distance)
                 .blend(0f, distance.compare(VectorOperators.LE, 0f))
                 .intoArray(frame, ShadowColumns.SCALE);

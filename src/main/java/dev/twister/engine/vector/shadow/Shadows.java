@@ -44,7 +44,7 @@ public final class Shadows {
     }
 
     private static void sampleAmongFew(Drawing drawing, Tile tile, ShadowBench bench, Hull hull) {
-        hull.listTowardsLight(bench.columns, drawing);
+        hull.listTowardsLight(bench.columns, drawing, drawing.lights[tile.light]);
         if (bench.columns.tileCandidates.count > 0) {
             ShadowCandidates.findDiscs(tile, drawing);
             sample(drawing, tile, bench);
@@ -56,7 +56,7 @@ public final class Shadows {
      * neither.
      */
     private static void sampleInCrowd(Drawing drawing, Tile tile, ShadowBench bench) {
-        float radius = drawing.discRadius * drawing.rim;
+        float radius = drawing.lights[tile.light].discRadius * drawing.rim;
         tile.lonely.clear();
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];

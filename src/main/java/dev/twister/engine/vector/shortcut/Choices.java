@@ -56,7 +56,10 @@ public final class Choices {
         Way way = Way.ANY;
         if (!drawing.crowded && !drawing.lens) {
             cullViewRays(drawing, tile);
-            if (drawing.shortcuts.take(Shortcut.CULLING) && tile.candidates.count == 0 && !tile.nearMeshes) {
+            if (!drawing.severalLights
+                    && drawing.shortcuts.take(Shortcut.CULLING)
+                    && tile.candidates.count == 0
+                    && !tile.nearMeshes) {
                 way = chooseWithoutBodies(drawing, tile);
             }
         }
@@ -103,7 +106,7 @@ public final class Choices {
                 && OpenGround.suits(drawing)
                 && ground.isWithin(OpenGround.REACH);
         if (lit) {
-            ground.listTowardsLight(shadows, drawing);
+            ground.listTowardsLight(shadows, drawing, drawing.lights[0]);
             lit = shadows.tileCandidates.count == 0 && !ground.touchesMesh(drawing);
         }
         return lit;
@@ -113,7 +116,7 @@ public final class Choices {
     private boolean isNearMeshes(Drawing drawing) {
         boolean near = drawing.bodies.meshes.count > 0;
         if (near) {
-            ground.listTowardsLight(shadows, drawing);
+            ground.listTowardsLight(shadows, drawing, drawing.lights[0]);
             near = ground.touchesMesh(drawing);
         }
         return near;

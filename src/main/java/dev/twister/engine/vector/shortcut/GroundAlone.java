@@ -2,6 +2,7 @@ package dev.twister.engine.vector.shortcut;
 
 import dev.twister.engine.vector.frame.BodyColumns;
 import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.ShadingLight;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.step.CameraLanes;
@@ -111,9 +112,10 @@ public final class GroundAlone {
     public static void findLight(Tile tile, Drawing drawing) {
         tile.shadows.clear();
         BodyColumns bodies = drawing.bodies;
-        float lightX = bodies.x[Layout.LIGHT];
-        float lightZ = bodies.z[Layout.LIGHT];
-        float above = bodies.y[Layout.LIGHT] - drawing.planeHeight;
+        ShadingLight light = drawing.lights[0];
+        float lightX = light.x;
+        float lightZ = light.z;
+        float above = light.y - drawing.planeHeight;
         float least = bodies.reflectivity(Layout.PLANE) > 0f ? 0f : drawing.ambient;
         float[] t = tile.values;
         for (int k = 0; k < tile.grounds.count; k++) {

@@ -3,6 +3,7 @@ package dev.twister.engine.vector.shortcut;
 import dev.twister.engine.vector.frame.BodyColumns;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.frame.MeshColumns;
+import dev.twister.engine.vector.frame.ShadingLight;
 import dev.twister.engine.vector.frame.Shortcut;
 import dev.twister.engine.vector.lanes.BodyList;
 import dev.twister.engine.vector.lanes.Lanes;
@@ -247,10 +248,9 @@ public final class Hull {
         end = length + endRadius;
     }
 
-    /** Ends at the light, up to its outermost sample, and lists the spheres in between as shadow candidates. */
-    public void listTowardsLight(ShadowColumns columns, Drawing drawing) {
-        BodyColumns bodies = drawing.bodies;
-        endIn(bodies.x[Layout.LIGHT], bodies.y[Layout.LIGHT], bodies.z[Layout.LIGHT], drawing.discRadius * drawing.rim);
+    /** Ends at a light, up to its outermost sample, and lists the spheres in between as shadow candidates. */
+    public void listTowardsLight(ShadowColumns columns, Drawing drawing, ShadingLight light) {
+        endIn(light.x, light.y, light.z, light.discRadius * drawing.rim);
         cull(drawing, Layout.FIRST_SPHERE, columns.tileCandidates);
     }
 

@@ -44,7 +44,7 @@ public final class OpenGround {
     }
 
     private static float lightHeight(Drawing drawing) {
-        return drawing.bodies.y[Layout.LIGHT] - drawing.planeHeight;
+        return drawing.lights[0].y - drawing.planeHeight;
     }
 
     /** The highlight's exponent; always an integer in {@link GroundAlone}. */
@@ -104,8 +104,8 @@ public final class OpenGround {
     /** Writes the light's cosine and the square of the highlight's cosine. */
     static void findCosines(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.view().frame();
-        float lightX = drawing.bodies.x[Layout.LIGHT];
-        float lightZ = drawing.bodies.z[Layout.LIGHT];
+        float lightX = drawing.lights[0].x;
+        float lightZ = drawing.lights[0].z;
         float eyeX = camera[Layout.CAMERA_POSITION];
         float eyeZ = camera[Layout.CAMERA_POSITION + 2];
         float eyeY = eyeHeight(drawing);
@@ -196,9 +196,9 @@ public final class OpenGround {
         float oddRed = values[Layout.PLANE_ODD_COLOR] * matte;
         float oddGreen = values[Layout.PLANE_ODD_COLOR + 1] * matte;
         float oddBlue = values[Layout.PLANE_ODD_COLOR + 2] * matte;
-        float lightRed = bodies.red(Layout.LIGHT);
-        float lightGreen = bodies.green(Layout.LIGHT);
-        float lightBlue = bodies.blue(Layout.LIGHT);
+        float lightRed = drawing.lights[0].red;
+        float lightGreen = drawing.lights[0].green;
+        float lightBlue = drawing.lights[0].blue;
         float[] t = tile.values;
         for (int at = 0; at < Tile.SIZE; at += Lanes.COUNT) {
             FloatVector x = Lanes.load(t, at + Tile.POINT_X).add(SurfaceLook.CHECKER_SHIFT);

@@ -1,5 +1,6 @@
 package dev.twister.engine.vector.step;
 
+import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
@@ -32,8 +33,11 @@ public final class HitSorting {
     }
 
     /** Fills the lists of skies, lights, grounds, spheres and surfaces. */
-    public static void sort(Tile tile) {
+    public static void sort(Tile tile, Drawing drawing) {
         clear(tile);
+        boolean furtherLights = drawing.lightCount > 1;
+        float second = furtherLights ? drawing.lights[1].body : 0f;
+        float end = second + drawing.lightCount - 1;
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
@@ -43,11 +47,16 @@ public final class HitSorting {
             if (hit.compare(VectorOperators.EQ, Layout.NOTHING).anyTrue()) {
                 tile.skies.add(at);
             }
-            if (hit.compare(VectorOperators.EQ, Layout.LIGHT).anyTrue()) {
+            VectorMask<Float> light = hit.compare(VectorOperators.EQ, Layout.LIGHT);
+            if (furtherLights) {
+                light = light.or(hit.compare(VectorOperators.GE, second).and(hit.compare(VectorOperators.LT, end)));
+            }
+            if (light.anyTrue()) {
                 tile.lights.add(at);
             }
             boolean ground = hit.compare(VectorOperators.EQ, Layout.PLANE).anyTrue();
-            boolean sphere = hit.compare(VectorOperators.GT, Layout.PLANE).anyTrue();
+            boolean sphere =
+                    hit.compare(VectorOperators.GT, Layout.PLANE).andNot(light).anyTrue();
             if (ground) {
                 tile.grounds.add(at);
             }

@@ -1,7 +1,7 @@
 package dev.twister.engine.vector.step;
 
-import dev.twister.engine.vector.frame.BodyColumns;
 import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.ShadingLight;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
@@ -9,21 +9,21 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Direction of the light from the surfaces, and the points where a shadow would be visible. */
+/** Direction of the light that shades from the surfaces, and the points where a shadow would be visible. */
 public final class LightDirection {
     private LightDirection() {}
 
     /** Writes direction and distance of the light, and lists the packets where shadows would be visible. */
     public static void find(Drawing drawing, Tile tile) {
-        findDirections(tile, drawing.bodies);
-        sort(tile, drawing.ambient);
+        findDirections(tile, drawing.lights[tile.light]);
+        sort(tile, drawing.severalLights ? 0f : drawing.ambient);
     }
 
     /** Writes the unit vectors to the light, the distances, and the cosines with the normals. */
-    static void findDirections(Tile tile, BodyColumns bodies) {
-        float lightX = bodies.x[Layout.LIGHT];
-        float lightY = bodies.y[Layout.LIGHT];
-        float lightZ = bodies.z[Layout.LIGHT];
+    static void findDirections(Tile tile, ShadingLight light) {
+        float lightX = light.x;
+        float lightY = light.y;
+        float lightZ = light.z;
         float[] t = tile.values;
         for (int k = 0; k < tile.surfaces.count; k++) {
             int at = tile.surfaces.places[k];

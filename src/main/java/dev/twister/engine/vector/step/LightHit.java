@@ -1,20 +1,26 @@
 package dev.twister.engine.vector.step;
 
-import dev.twister.engine.vector.frame.BodyColumns;
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.ShadingLight;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
-/** Hits of the light: its own color, unshaded. */
+/** Hits of lights: their own color, unshaded. */
 public final class LightHit {
     private LightHit() {}
 
-    public static void add(Tile tile, BodyColumns bodies) {
-        float red = bodies.red(Layout.LIGHT);
-        float green = bodies.green(Layout.LIGHT);
-        float blue = bodies.blue(Layout.LIGHT);
+    /** Adds the lights' colors, and ends the rays that hit a light after the first. */
+    public static void add(Tile tile, Drawing drawing) {
+        addFirst(tile, drawing.lights[0]);
+        if (drawing.lightCount > 1) {
+            endAtFurther(tile, drawing);
+        }
+    }
+
+    private static void addFirst(Tile tile, ShadingLight light) {
         float[] t = tile.values;
         for (int k = 0; k < tile.lights.count; k++) {
             int at = tile.lights.places[k];
@@ -22,11 +28,33 @@ public final class LightHit {
                     .blend(
                             Lanes.load(t, at + Tile.THROUGHPUT),
                             Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.LIGHT));
-            Lanes.fma(throughput, Lanes.all(red), Lanes.load(t, at + Tile.RED)).intoArray(t, at + Tile.RED);
-            Lanes.fma(throughput, Lanes.all(green), Lanes.load(t, at + Tile.GREEN))
+            Lanes.fma(throughput, Lanes.all(light.red), Lanes.load(t, at + Tile.RED))
+                    .intoArray(t, at + Tile.RED);
+            Lanes.fma(throughput, Lanes.all(light.green), Lanes.load(t, at + Tile.GREEN))
                     .intoArray(t, at + Tile.GREEN);
-            Lanes.fma(throughput, Lanes.all(blue), Lanes.load(t, at + Tile.BLUE))
+            Lanes.fma(throughput, Lanes.all(light.blue), Lanes.load(t, at + Tile.BLUE))
                     .intoArray(t, at + Tile.BLUE);
+        }
+    }
+
+    private static void endAtFurther(Tile tile, Drawing drawing) {
+        float[] t = tile.values;
+        int second = drawing.lights[1].body;
+        int end = second + drawing.lightCount - 1;
+        for (int k = 0; k < tile.lights.count; k++) {
+            int at = tile.lights.places[k];
+            for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
+                int hit = (int) t[pixel + Tile.HIT];
+                if (hit >= second && hit < end) {
+                    ShadingLight light = drawing.lights[1 + hit - second];
+                    float throughput = t[pixel + Tile.THROUGHPUT];
+                    t[pixel + Tile.RED] += throughput * light.red;
+                    t[pixel + Tile.GREEN] += throughput * light.green;
+                    t[pixel + Tile.BLUE] += throughput * light.blue;
+                    t[pixel + Tile.THROUGHPUT] = 0f;
+                    t[pixel + Tile.HIT] = Tile.ENDED;
+                }
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 package dev.twister.engine.vector.step;
 
 import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.ShadingLight;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
@@ -37,9 +38,10 @@ public final class MetalLanes {
      * the tint.
      */
     public static void tintHighlights(Tile tile, Drawing drawing) {
-        tintHighlights(tile, 0, drawing.bodies.red(Layout.LIGHT));
-        tintHighlights(tile, Tile.SIZE, drawing.bodies.green(Layout.LIGHT));
-        tintHighlights(tile, 2 * Tile.SIZE, drawing.bodies.blue(Layout.LIGHT));
+        ShadingLight light = drawing.lights[tile.light];
+        tintHighlights(tile, 0, light.red);
+        tintHighlights(tile, Tile.SIZE, light.green);
+        tintHighlights(tile, 2 * Tile.SIZE, light.blue);
     }
 
     private static void tintHighlights(Tile tile, int column, float light) {

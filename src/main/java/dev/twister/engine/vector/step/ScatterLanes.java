@@ -1,7 +1,7 @@
 package dev.twister.engine.vector.step;
 
-import dev.twister.engine.vector.frame.BodyColumns;
 import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.ShadingLight;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
@@ -18,12 +18,12 @@ public final class ScatterLanes {
      * the packets with a lane that continues as live.
      */
     public static void shade(Tile tile, Drawing drawing) {
-        BodyColumns bodies = drawing.bodies;
+        ShadingLight light = drawing.lights[tile.light];
         float ambient = drawing.ambient;
         float[] t = tile.values;
-        float lightRed = bodies.red(Layout.LIGHT);
-        float lightGreen = bodies.green(Layout.LIGHT);
-        float lightBlue = bodies.blue(Layout.LIGHT);
+        float lightRed = light.red;
+        float lightGreen = light.green;
+        float lightBlue = light.blue;
         float mirrorScale = tile.last ? 0f : 1f / Layout.MAX_REFLECTIVITY;
         tile.live.clear();
         for (int k = 0; k < tile.surfaces.count; k++) {
