@@ -35,15 +35,16 @@ public final class SeveralLightLanes {
                     .mul(light.share)
                     .mul(Lanes.load(t, at + Tile.VISIBLE));
             Lanes.load(t, at + Tile.LIT).add(part).intoArray(t, at + Tile.LIT);
-            FloatVector specular = Lanes.load(t, at + Tile.SPECULAR);
-            add(t, at + Tile.HIGHLIGHT_RED, specular, light.red);
-            add(t, at + Tile.HIGHLIGHT_GREEN, specular, light.green);
-            add(t, at + Tile.HIGHLIGHT_BLUE, specular, light.blue);
+            addHighlight(t, at, Tile.HIGHLIGHT_RED, light.red);
+            addHighlight(t, at, Tile.HIGHLIGHT_GREEN, light.green);
+            addHighlight(t, at, Tile.HIGHLIGHT_BLUE, light.blue);
         }
     }
 
-    private static void add(float[] t, int at, FloatVector specular, float color) {
-        Lanes.load(t, at).add(specular.mul(color)).intoArray(t, at);
+    private static void addHighlight(float[] t, int at, int column, float color) {
+        Lanes.load(t, at + column)
+                .add(Lanes.load(t, at + Tile.SPECULAR).mul(color))
+                .intoArray(t, at + column);
     }
 
     /**
