@@ -61,6 +61,15 @@ class OidnProviderTest {
     }
 
     @Test
+    void saysThatALibraryDoesNotAnswer() throws IOException, InterruptedException {
+        Path file = compiled("unsigned sleep(unsigned);"
+                + " __attribute__((constructor)) static void hang() { for (;;) sleep(1); }");
+
+        assertThat(LibraryProbe.of(file.toString(), 3).obstacle())
+                .contains("did not denoise a small picture within 3 s");
+    }
+
+    @Test
     void openingWhatDoesNotWorkTellsWhy() {
         DenoiserOffer offer = DenoiserOffer.impossible("library", "it is too old");
 
