@@ -13,7 +13,7 @@ import javafx.scene.control.CheckBox;
 final class FinishingFields {
     private final PlainBox<Double> noise;
     private final DenoiserChoice denoiser;
-    private final CheckBox lightLayers = new CheckBox("strengths and colors can be changed later, in View picture");
+    private final CheckBox lightLayers = new CheckBox("in OpenEXR files, for View picture");
 
     /** @param changed called when a person has chosen */
     FinishingFields(Runnable changed) {
