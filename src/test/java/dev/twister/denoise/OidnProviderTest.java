@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Libraries that do not work. */
 class OidnProviderTest {
-    private static final String ADVICE = "; install it by 'pip install pyoidn' or from"
+    private static final String ADVICE = "; install Open Image Denoise by 'pip install pyoidn' or from"
             + " https://www.openimagedenoise.org, or let TWISTER_OIDN name its library or folder";
 
     @TempDir
