@@ -15,9 +15,9 @@ final class DenoisingNotes {
      */
     static void print(DenoisedPicture denoised, String name, PrintWriter err) {
         if (!denoised.guided()) {
-            err.println(
-                    "twister: " + PrintableText.line(name)
-                            + " has no guides (guide-albedo and guide-normal), so edges and textures may be blurred; render with --guides");
+            err.println("twister: " + PrintableText.line(name)
+                    + " has no guides (guide-albedo and guide-normal), so edges and textures may be blurred;"
+                    + " render with --guides");
         }
         if (denoised.notFinite() > 0) {
             err.println("twister: " + PrintableText.line(name) + " has " + denoised.notFinite()
