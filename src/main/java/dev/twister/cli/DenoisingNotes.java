@@ -16,7 +16,8 @@ final class DenoisingNotes {
     static void print(DenoisedPicture denoised, String name, PrintWriter err) {
         if (!denoised.guided()) {
             err.println("twister: " + PrintableText.line(name)
-                    + " has no guides, so edges and textures may be blurred; render with --guides");
+                    + " has no guides (guide-albedo and guide-normal), so edges and textures may be blurred;"
+                    + " render with --guides");
         }
         if (denoised.notFinite() > 0) {
             err.println("twister: " + PrintableText.line(name) + " has " + denoised.notFinite()

@@ -49,7 +49,7 @@ final class SampleOptions {
         int least = noise.isPresent() ? Sampling.LEAST_CONVERGING : 1;
         return new Sampling(
                 Ranges.check(
-                        "--samples",
+                        noise.isPresent() ? "--samples with --noise" : "--samples",
                         samples.orElse(noise.isPresent() ? Sampling.USUAL_LIMIT : usual),
                         least,
                         Sampling.MOST),

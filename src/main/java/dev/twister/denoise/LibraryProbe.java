@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * Tries a library in a process of its own, because a library that crashes ends the process that loads it. The process
@@ -54,15 +55,26 @@ final class LibraryProbe {
 
     /** Tries a library in another process. */
     static Result of(String place) {
+        return of(place, MOST_SECONDS);
+    }
+
+    /** As above, for at most so many seconds. */
+    static Result of(String place, long mostSeconds) {
         try {
             Process process = new ProcessBuilder(command(place))
                     .redirectError(ProcessBuilder.Redirect.DISCARD)
                     .start();
             process.getOutputStream().close();
-            process.onExit().orTimeout(MOST_SECONDS, TimeUnit.SECONDS).exceptionally(_ -> process.destroyForcibly());
+            AtomicBoolean late = new AtomicBoolean();
+            process.onExit().orTimeout(mostSeconds, TimeUnit.SECONDS).exceptionally(_ -> {
+                late.set(true);
+                return process.destroyForcibly();
+            });
             String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
             int code = process.waitFor();
-            return result(said, code);
+            return late.get()
+                    ? new Result("", Optional.of("did not denoise a small picture within " + mostSeconds + " s"))
+                    : result(said, code);
         } catch (IOException problem) {
             return new Result("", Optional.of("was not tried, because no process could be started: " + problem));
         } catch (InterruptedException interrupted) {

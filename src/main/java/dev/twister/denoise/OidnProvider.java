@@ -11,8 +11,8 @@ public final class OidnProvider implements DenoiserProvider {
     private static final String NAME = "Open Image Denoise";
 
     /** How to get the library. */
-    private static final String ADVICE = "install it by 'pip install pyoidn' or from https://www.openimagedenoise.org,"
-            + " or let " + LibraryPlaces.VARIABLE + " name its library or folder";
+    private static final String ADVICE = "install " + NAME + " by 'pip install pyoidn' or from"
+            + " https://www.openimagedenoise.org, or let " + LibraryPlaces.VARIABLE + " name its library or folder";
 
     @Override
     public Optional<DenoiserOffer> offer() {

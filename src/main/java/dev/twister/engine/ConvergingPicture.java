@@ -187,10 +187,11 @@ public final class ConvergingPicture {
         return new Convergence(2 * samplesOfHalf, worst, last ? 1 : done / all);
     }
 
-    /** Samples of a tile in the end, if noise falls with their square root. */
+    /** Samples of a tile in the end, if noise falls with their square root; it gets one more pass at least. */
     private double expected(int tile, double bound, int most) {
         double ratio = noise[tile] / bound;
-        return bound > 0 ? Math.clamp(samplesOfTile[tile] * ratio * ratio, samplesOfTile[tile], most) : most;
+        double least = Math.min(most, 2 * (samplesOfHalf + more()));
+        return bound > 0 ? Math.clamp(samplesOfTile[tile] * ratio * ratio, least, most) : most;
     }
 
     private void write(Frame frame) {

@@ -62,7 +62,7 @@ public record DenoisedPicture(ExrPicture picture, boolean guided, long notFinite
     }
 
     /** The guides of denoising, or the views of the first surfaces. */
-    private static Optional<Guides> guides(ExrPicture picture) {
+    public static Optional<Guides> guides(ExrPicture picture) {
         return guides(
                         PictureLayers.of(picture, PictureLayers.GUIDE_ALBEDO),
                         PictureLayers.of(picture, PictureLayers.GUIDE_NORMAL))

@@ -1,12 +1,10 @@
 package dev.twister.render;
 
-import dev.twister.denoise.DenoiserOffer;
 import dev.twister.engine.EngineOffer;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * Everything that the files of a rendering depend on; {@link Renderer} carries it out.
@@ -26,11 +24,9 @@ public record RenderOrder(
         Movement movement,
         Finishing finishing,
         RenderOutput output) {
-    /** The same with a denoiser; stages and views without reflections are not denoised. */
-    public RenderOrder denoisedBy(Optional<DenoiserOffer> denoiser) {
-        Finishing denoised =
-                new Finishing(finishing.autoExposure(), finishing.guides(), finishing.lightLayers(), denoiser);
-        return new RenderOrder(scene, engine, pictures, sampling, part, movement, denoised, output);
+    /** The same with other samples and another finish; stages and views without reflections have no layers. */
+    public RenderOrder with(Sampling otherSampling, Finishing otherFinish) {
+        return new RenderOrder(scene, engine, pictures, otherSampling, part, movement, otherFinish, output);
     }
 
     /** The size of each picture. */

@@ -110,7 +110,7 @@ class BadInputTest {
                 "render benchmark -o FOLDER/a.exr --noise 0.01 --sample-range 0-6 | --sample-range has 7 samples, but --noise needs 8 or more",
                 "render benchmark -o FOLDER/a.exr --noise 0.01 --tile 1/2 --view beauty,albedo | --noise with --tile or --sample-range needs one picture; --view has 2",
                 "render benchmark -o FOLDER/a.png --noise 0 | --noise is 0.0, but must be from 0.0001 to 1",
-                "render benchmark -o FOLDER/a.png --noise 0.01 --samples 4 | --samples is 4, but must be from 8 to 65536",
+                "render benchmark -o FOLDER/a.png --noise 0.01 --samples 4 | --samples with --noise is 4, but must be from 8 to 65536",
                 "render benchmark -o FOLDER/a.exr --noise 0.01 --view depth | --noise works for pictures of colors only; use --samples for views of numbers",
                 "benchmark --paper --size 640x360 --output FOLDER/a | --paper has its own sizes",
                 "benchmark --paper --shadow-samples 3 --output FOLDER/a | --paper has its own sizes, shadow samples",

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Libraries that do not work. */
 class OidnProviderTest {
-    private static final String ADVICE = "; install it by 'pip install pyoidn' or from"
+    private static final String ADVICE = "; install Open Image Denoise by 'pip install pyoidn' or from"
             + " https://www.openimagedenoise.org, or let TWISTER_OIDN name its library or folder";
 
     @TempDir
@@ -58,6 +58,15 @@ class OidnProviderTest {
         Path file = compiled("__attribute__((constructor)) static void crash() { *(volatile int*) 8 = 1; }");
 
         assertThat(obstacle(file)).startsWith(file + " ended the process that tried it (exit code ");
+    }
+
+    @Test
+    void saysThatALibraryDoesNotAnswer() throws IOException, InterruptedException {
+        Path file = compiled("unsigned sleep(unsigned);"
+                + " __attribute__((constructor)) static void hang() { for (;;) sleep(1); }");
+
+        assertThat(LibraryProbe.of(file.toString(), 3).obstacle())
+                .contains("did not denoise a small picture within 3 s");
     }
 
     @Test

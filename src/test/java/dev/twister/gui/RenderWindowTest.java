@@ -8,6 +8,8 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.model.RenderFormat;
+import dev.twister.image.ExrChannel;
+import dev.twister.image.ExrReader;
 import dev.twister.image.Frame;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
@@ -108,6 +110,33 @@ class RenderWindowTest {
         }
 
         assertThat(Files.readAllBytes(clean)).isNotEqualTo(Files.readAllBytes(noisy));
+    }
+
+    @Tag("slow")
+    @Test
+    void writesTheLightOfGroupsUpToANoise() throws IOException {
+        Path file = folder.resolve("layers.exr");
+        try (WindowDriver driver = open()) {
+            driver.files.choose(file);
+            assertThat(find("render-light-layers", CheckBox.class).isDisabled()).isTrue();
+            driver.run(() -> formats().setValue(RenderFormat.EXR));
+            driver.run(() -> find("render-light-layers", CheckBox.class).fire());
+            driver.run(() ->
+                    find("render-noise", ComboBox.class).getSelectionModel().select(1));
+            driver.pulse();
+            assertThat(text("render-estimate")).startsWith("at most 64 samples per pixel");
+
+            type(driver, "render-samples-per-pixel", "4");
+            assertThat(text("render-state"))
+                    .isEqualTo("Samples per pixel is 4, but to stop at a noise, at least 8 are needed");
+            type(driver, "render-samples-per-pixel", "64");
+            press(driver, "render-start");
+            driver.await(() -> driver.notice().equals("Rendered " + file));
+        }
+
+        assertThat(ExrReader.read(file).channels())
+                .extracting(ExrChannel::name)
+                .contains("R", "light-lights.R", "light-sky.R", "guide-albedo.R", "samples.Y");
     }
 
     @Test

@@ -46,12 +46,17 @@ public record DrawingRequest(
                 other.shown()));
     }
 
-    /** Whether the other request differs at most in exposure, tone map and sRGB curve. */
-    boolean asksForAnotherToneOf(DrawingRequest other) {
+    /**
+     * Whether the other request's samples are those of this one: only exposure, tone map, sRGB curve, the noise at
+     * which the picture rests or its denoising differ.
+     */
+    boolean asksForTheSamplesOf(DrawingRequest other) {
         Rendering tone = scene.rendering();
         Scene toned = other.scene()
                 .withRendering(other.scene().rendering().withTone(tone.exposure(), tone.toneMap(), tone.srgb()));
-        return !scene.equals(other.scene())
+        boolean refinesAlike = refinement.equals(other.refinement());
+        return !(scene.equals(other.scene()) && refinesAlike)
+                && refinement.samples() == other.refinement().samples()
                 && equals(new DrawingRequest(
                         number,
                         other.document(),
@@ -59,7 +64,7 @@ public record DrawingRequest(
                         other.width(),
                         other.height(),
                         other.engine(),
-                        other.refinement(),
+                        refinement,
                         other.motion(),
                         other.shown()));
     }

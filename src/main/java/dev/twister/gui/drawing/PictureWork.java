@@ -122,11 +122,12 @@ final class PictureWork implements AutoCloseable {
     boolean step(DrawingRequest wanted) {
         Engine engine = seat.engine();
         if (!isAtWork(wanted) || !drawer.equals(Optional.of(engine)) || seat.hasBecomeFaster()) {
-            boolean toned = isOnlyToned(wanted, engine);
+            boolean toned = hasItsSamples(wanted, engine);
             drawn = toned || (drawn && isSlowAndTheSame(wanted, engine));
             request = Optional.of(wanted);
             drawer = Optional.of(engine);
             if (toned) {
+                denoising.retry();
                 showRefined(wanted, engine);
                 return true;
             }
@@ -156,14 +157,14 @@ final class PictureWork implements AutoCloseable {
         return request.filter(old -> old.number() == wanted.number()).isPresent();
     }
 
-    /** Whether the gathered samples fit the request, apart from exposure, tone map and sRGB curve. */
+    /** Whether the gathered samples are those of the request. */
     @SuppressWarnings("ReferenceEquality") // another array means that the file was read anew
-    private boolean isOnlyToned(DrawingRequest wanted, Engine engine) {
+    private boolean hasItsSamples(DrawingRequest wanted, Engine engine) {
         return drawn
                 && !wanted.isContinuous()
                 && drawer.equals(Optional.of(engine))
                 && !seat.hasBecomeFaster()
-                && request.filter(wanted::asksForAnotherToneOf).isPresent()
+                && request.filter(wanted::asksForTheSamplesOf).isPresent()
                 && refinedSky == input.images()
                 && refined.filter(held -> held.samples() >= FEWEST_REFINED_SAMPLES)
                         .isPresent();
@@ -182,8 +183,9 @@ final class PictureWork implements AutoCloseable {
                         && held.fits(picture.frame().width(), picture.frame().height())
                         && held.samples() > picture.input().samplesPerPixel()
                         && held.samples() >= picture.samples())
-                .map(held ->
-                        denoising.newest().map(RestDenoising.Clean::radiance).orElseGet(held::radiance));
+                .map(held -> clean(picture.request())
+                        .map(RestDenoising.Clean::radiance)
+                        .orElseGet(held::radiance));
     }
 
     /** Sets the watcher that gets each whole picture; called by any thread. */
@@ -193,7 +195,11 @@ final class PictureWork implements AutoCloseable {
 
     DrawingStatus status() {
         return new DrawingStatus(
-                seat.opening(), seat.failure().or(denoising::failure), sceneFailure.or(world::complaint));
+                seat.opening(),
+                seat.failure()
+                        .or(() -> request.filter(wanted -> denoiser(wanted).isPresent())
+                                .flatMap(_ -> denoising.failure())),
+                sceneFailure.or(world::complaint));
     }
 
     @Override
@@ -377,8 +383,10 @@ final class PictureWork implements AutoCloseable {
         if (done) {
             return false;
         }
-        int samples = picture.samplesOfNextPass(input.samplesPerPixel());
-        FrameInput next = picture.next(input, samples);
+        // Beyond the limit, those with guides.
+        int samples = Math.max(1, picture.samplesOfNextPass(input.samplesPerPixel()));
+        FrameInput plain = picture.next(input, samples);
+        FrameInput next = denoiser.isPresent() ? plain.withGuides() : plain;
         Frame linear = linear(wanted.width(), wanted.height(), next.layers());
         if (!slowPictures.draw(engine, next, linear, _ -> isRefinedInVain())) {
             return true;
@@ -386,7 +394,7 @@ final class PictureWork implements AutoCloseable {
         picture.add(linear, samples);
         boolean last = isDone(picture, wanted);
         // Its noise would come back for a moment.
-        boolean clean = denoising.newest().isPresent();
+        boolean clean = clean(wanted).isPresent();
         if (last || (!clean && picture.samples() >= fewestRefined() && isToBeSeen())) {
             showRefined(wanted, engine);
         } else {
@@ -399,12 +407,10 @@ final class PictureWork implements AutoCloseable {
     private RefinedPicture refining(DrawingRequest wanted) {
         int limit = wanted.refinement().samples();
         boolean traced = input.tracesPaths();
-        boolean guided = denoiser(wanted).isPresent();
-        RefinedPicture picture = refined.filter(
-                        old -> old.limit() == limit && old.isEstimated() == traced && old.isGuided() == guided)
+        RefinedPicture picture = refined.filter(old -> old.limit() == limit && old.isEstimated() == traced)
                 .orElseGet(() -> {
                     denoising.reset();
-                    return new RefinedPicture(wanted.width(), wanted.height(), limit, traced, guided);
+                    return new RefinedPicture(wanted.width(), wanted.height(), limit, traced);
                 });
         refined = Optional.of(picture);
         refinedSky = input.images();
@@ -415,13 +421,21 @@ final class PictureWork implements AutoCloseable {
         return wanted.refinement().denoiser().filter(_ -> input.tracesPaths() && wanted.shown() == Picture.REFLECTIONS);
     }
 
-    /** Whether the picture has all its samples, or its noise is below the goal. */
+    /** The picture without its noise, if that is wanted. */
+    private Optional<RestDenoising.Clean> clean(DrawingRequest wanted) {
+        return denoiser(wanted).flatMap(_ -> denoising.newest());
+    }
+
+    /**
+     * Whether the picture has all its samples, or its noise is below the goal. One that is denoised from now on gets
+     * some more, with guides.
+     */
     private boolean isDone(RefinedPicture picture, DrawingRequest wanted) {
         double goal = wanted.refinement().noise();
-        return picture.isDone()
-                || (goal > 0
-                        && picture.samples() >= FEWEST_CONVERGED_SAMPLES
-                        && picture.noise(input).orElse(Double.MAX_VALUE) <= goal);
+        boolean low = goal > 0
+                && picture.samples() >= FEWEST_CONVERGED_SAMPLES
+                && picture.noise(input).orElse(Double.MAX_VALUE) <= goal;
+        return (picture.isDone() || low) && !(denoiser(wanted).isPresent() && picture.lacksGuides());
     }
 
     private int fewestRefined() {
@@ -431,7 +445,7 @@ final class PictureWork implements AutoCloseable {
     private void showRefined(DrawingRequest wanted, Engine engine) {
         RefinedPicture picture = refined.orElseThrow();
         Frame frame = exchange.frameToDraw(wanted.width(), wanted.height());
-        Optional<RestDenoising.Clean> clean = denoising.newest();
+        Optional<RestDenoising.Clean> clean = clean(wanted);
         if (clean.isPresent()) {
             TonedPixels.write(clean.get().radiance(), input, frame.argb());
         } else if (wanted.shown().isColor()) {

@@ -27,16 +27,17 @@ final class RestDenoising implements AutoCloseable {
     private Optional<String> failure = Optional.empty();
     private boolean outdated;
 
-    private record Work(int samples, CompletableFuture<float[]> result) {}
+    private record Work(int samples, int guidedSamples, CompletableFuture<float[]> result) {}
 
     /**
      * A picture without its noise.
      *
      * @param radiance as {@link dev.twister.image.Frame#radiance}
      * @param samples of the noisy one
+     * @param guidedSamples of them with guides
      */
     @SuppressWarnings("ArrayRecordComponent") // never compared
-    record Clean(float[] radiance, int samples) {}
+    record Clean(float[] radiance, int samples, int guidedSamples) {}
 
     /** @param whenReady called on another thread when {@link #advance} has something to return */
     RestDenoising(Runnable whenReady) {
@@ -48,6 +49,11 @@ final class RestDenoising implements AutoCloseable {
         clean = Optional.empty();
         failure = Optional.empty();
         outdated = work.isPresent();
+    }
+
+    /** Tries again what has failed. */
+    void retry() {
+        failure = Optional.empty();
     }
 
     /** Whether nothing is left to be done for a picture that is done. */
@@ -74,13 +80,13 @@ final class RestDenoising implements AutoCloseable {
      */
     boolean advance(RefinedPicture picture, boolean done, DenoiserOffer offer) {
         boolean fresh = take();
-        int before = clean.map(Clean::samples).orElse(0);
-        boolean due = picture.samples() >= 2 * before || (done && picture.samples() > before);
-        if (work.isEmpty() && failure.isEmpty() && picture.samples() > 0 && due) {
+        int before = clean.map(Clean::guidedSamples).orElse(0);
+        boolean due = picture.guidedSamples() >= 2 * before || (done && !isDone(picture));
+        if (work.isEmpty() && failure.isEmpty() && picture.guidedSamples() > 0 && due) {
             NoisyPicture noisy = picture.noisy();
             CompletableFuture<float[]> result =
                     CompletableFuture.supplyAsync(() -> opened(offer).denoise(noisy), thread);
-            work = Optional.of(new Work(picture.samples(), result));
+            work = Optional.of(new Work(picture.samples(), picture.guidedSamples(), result));
             CompletableFuture<Void> _ = result.handle((_, _) -> null).thenRun(whenReady);
         }
         return fresh;
@@ -95,8 +101,9 @@ final class RestDenoising implements AutoCloseable {
         work = Optional.empty();
         outdated = false;
         try {
-            float[] radiance = finished.get().result().join();
-            clean = wanted ? Optional.of(new Clean(radiance, finished.get().samples())) : clean;
+            Work begun = finished.get();
+            float[] radiance = begun.result().join();
+            clean = wanted ? Optional.of(new Clean(radiance, begun.samples(), begun.guidedSamples())) : clean;
         } catch (CompletionException problem) {
             failure = Optional.of("not denoised: " + problem.getCause().getMessage());
         }

@@ -25,6 +25,9 @@ import java.util.stream.IntStream;
 public final class RefinedPicture {
     private static final int CHANNELS = 3;
 
+    /** With so many samples, guides have smooth edges. */
+    private static final int ENOUGH_GUIDED = 16;
+
     private final int width;
     private final int height;
     private final int limit;
@@ -33,8 +36,10 @@ public final class RefinedPicture {
     /** Of every second pass if the noise is estimated, else empty. */
     private final float[] otherSums;
 
-    /** Albedo, then normals, if the picture is to be denoised, else empty. */
-    private final float[] guideSums;
+    /** Albedo, then normals, of the passes that had guides; empty before the first of them. */
+    private float[] guideSums = {};
+
+    private int guidedSamples;
 
     private int samples;
     private int otherSamples;
@@ -49,21 +54,11 @@ public final class RefinedPicture {
      * @param estimated whether to estimate the noise, which takes twice the memory
      */
     public RefinedPicture(int width, int height, int limit, boolean estimated) {
-        this(width, height, limit, estimated, false);
-    }
-
-    /**
-     * An empty picture that may be denoised.
-     *
-     * @param guided whether passes have guides
-     */
-    public RefinedPicture(int width, int height, int limit, boolean estimated, boolean guided) {
         this.width = width;
         this.height = height;
         this.limit = limit;
         sums = new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))];
         otherSums = new float[estimated ? sums.length : 0];
-        guideSums = new float[guided ? Math.multiplyExact(Guides.LAYERS, sums.length) : 0];
     }
 
     /** Restarts: the scene, the camera or a setting that changes radiance has changed. */
@@ -72,6 +67,7 @@ public final class RefinedPicture {
         Arrays.fill(otherSums, 0);
         Arrays.fill(guideSums, 0);
         samples = 0;
+        guidedSamples = 0;
         otherSamples = 0;
         passes = 0;
         estimate = Optional.empty();
@@ -94,9 +90,14 @@ public final class RefinedPicture {
         return otherSums.length > 0;
     }
 
-    /** Whether passes have guides. */
-    public boolean isGuided() {
-        return guideSums.length > 0;
+    /** The samples per pixel of the passes that had guides. */
+    public int guidedSamples() {
+        return guidedSamples;
+    }
+
+    /** Whether more samples with guides make them better: those of few samples have hard edges. */
+    public boolean lacksGuides() {
+        return guidedSamples < Math.min(samples, ENOUGH_GUIDED);
     }
 
     public boolean isDone() {
@@ -112,20 +113,20 @@ public final class RefinedPicture {
         return Math.min(most, limit - samples);
     }
 
-    /** What the next pass is to draw. */
+    /** What the next pass is to draw; with {@link FrameInput#withGuides} if the picture is to be denoised. */
     public FrameInput next(FrameInput input, int passSamples) {
-        FrameInput pass = input.withSamples(samples, passSamples);
-        return isGuided() ? pass.withGuides() : pass;
+        return input.withSamples(samples, passSamples);
     }
 
     /**
      * Adds a pass.
      *
-     * @param pass linear, drawn from {@link #next} of as many samples
+     * @param pass linear, drawn from {@link #next} of as many samples, with guides or without
      * @throws IllegalArgumentException if the frame is not linear, has another size or other layers
      */
     public void add(Frame pass, int passSamples) {
-        if (!pass.isLinear() || !fits(pass.width(), pass.height()) || pass.layers().length != guideSums.length) {
+        boolean guided = pass.layerCount() == Guides.LAYERS;
+        if (!pass.isLinear() || !fits(pass.width(), pass.height()) || (pass.layerCount() > 0 && !guided)) {
             throw new IllegalArgumentException("a pass must be linear and " + width + " x " + height + " pixels, not "
                     + pass.width() + " x " + pass.height());
         }
@@ -138,12 +139,20 @@ public final class RefinedPicture {
                 half[i] += passSamples * radiance[i];
             }
         });
-        for (int i = 0; i < guideSums.length; i++) {
-            guideSums[i] += passSamples * pass.layers()[i];
+        if (guided) {
+            addGuides(pass.layers(), passSamples);
         }
         samples += passSamples;
         otherSamples += other ? passSamples : 0;
         passes++;
+    }
+
+    private void addGuides(float[] guides, int passSamples) {
+        guideSums = guideSums.length > 0 ? guideSums : new float[guides.length];
+        for (int i = 0; i < guides.length; i++) {
+            guideSums[i] += passSamples * guides[i];
+        }
+        guidedSamples += passSamples;
     }
 
     /**
@@ -210,11 +219,11 @@ public final class RefinedPicture {
         return radiance;
     }
 
-    /** The picture so far with its guides. */
+    /** The picture so far with its guides; there must be samples with guides. */
     public NoisyPicture noisy() {
         float[] guides = new float[guideSums.length];
         for (int i = 0; i < guides.length; i++) {
-            guides[i] = guideSums[i] / samples;
+            guides[i] = guideSums[i] / guidedSamples;
         }
         return new NoisyPicture(
                 width,

@@ -49,6 +49,11 @@ public enum RenderFormat {
         return this == PNG_FRAMES || this == EXR_FRAMES;
     }
 
+    /** Whether a file has layers beside its colors. */
+    public boolean hasLayers() {
+        return this == EXR || this == EXR_FRAMES;
+    }
+
     /** The file name for a stem, with the number's placeholder if files are numbered. */
     public String fileName(String stem) {
         return stem + (isNumbered() ? "-####" : "") + ending;

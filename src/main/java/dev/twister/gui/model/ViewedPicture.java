@@ -1,10 +1,15 @@
 package dev.twister.gui.model;
 
+import dev.twister.denoise.NoisyPicture;
+import dev.twister.denoise.NoisyPicture.Guides;
+import dev.twister.denoise.Plane;
 import dev.twister.image.ExrExtent;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
+import dev.twister.render.DenoisedPicture;
 import dev.twister.render.PictureFormat;
 import dev.twister.render.PictureLayers;
+import dev.twister.render.RelitPicture;
 import dev.twister.scene.Rgb;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
@@ -19,9 +24,12 @@ import java.util.Optional;
  *
  * @param radiance linear, three floats per pixel
  * @param lights its light layers; none if the file has none
+ * @param guides of denoising, if the file has them
+ * @param denoised whether the radiance has no noise any more; the lights have theirs
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
-public record ViewedPicture(int width, int height, float[] radiance, List<Light> lights) {
+public record ViewedPicture(
+        int width, int height, float[] radiance, List<Light> lights, Optional<Guides> guides, boolean denoised) {
     private static final int CHANNELS = 3;
     private static final Rgb UNCHANGED = new Rgb(1, 1, 1);
 
@@ -42,7 +50,8 @@ public record ViewedPicture(int width, int height, float[] radiance, List<Light>
     public static ViewedPicture read(Path file) throws IOException {
         if (!PictureFormat.of(file).equals(Optional.of(PictureFormat.EXR))) {
             Skybox image = SkyboxReader.read(file);
-            return new ViewedPicture(image.width(), image.height(), image.radiance(), List.of());
+            return new ViewedPicture(
+                    image.width(), image.height(), image.radiance(), List.of(), Optional.empty(), false);
         }
         ExrExtent extent = ExrReader.extent(file);
         if (extent.rows() < extent.height()) {
@@ -56,7 +65,13 @@ public record ViewedPicture(int width, int height, float[] radiance, List<Light>
             PictureLayers.of(picture, PictureLayers.light(group))
                     .ifPresent(radiance -> lights.add(new Light(group, radiance)));
         }
-        return new ViewedPicture(picture.width(), picture.height(), colors, List.copyOf(lights));
+        return new ViewedPicture(
+                picture.width(),
+                picture.height(),
+                colors,
+                List.copyOf(lights),
+                DenoisedPicture.guides(picture),
+                RelitPicture.wasDenoised(picture));
     }
 
     /**
@@ -65,7 +80,7 @@ public record ViewedPicture(int width, int height, float[] radiance, List<Light>
      * @param factors of each of the lights, per channel
      */
     public float[] lit(List<Rgb> factors) {
-        if (factors.stream().allMatch(UNCHANGED::equals)) {
+        if (isUnchanged(factors)) {
             return radiance;
         }
         float[] sum = new float[radiance.length];
@@ -78,6 +93,20 @@ public record ViewedPicture(int width, int height, float[] radiance, List<Light>
             }
         }
         return sum;
+    }
+
+    private static boolean isUnchanged(List<Rgb> factors) {
+        return factors.stream().allMatch(UNCHANGED::equals);
+    }
+
+    /** Whether {@link #lit} has noise that can be removed. */
+    public boolean isNoisy(List<Rgb> factors) {
+        return guides.isPresent() && !(denoised && isUnchanged(factors));
+    }
+
+    /** The picture {@link #lit} with its guides. */
+    public NoisyPicture noisy(List<Rgb> factors) {
+        return new NoisyPicture(width, height, new Plane(lit(factors), 0), guides);
     }
 
     /** A pixel's red, green or blue in {@link #lit}. */

@@ -3,6 +3,7 @@ package dev.twister.gui.panel;
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.denoise.Denoisers;
 import dev.twister.gui.controls.Problems;
+import dev.twister.gui.model.NoiseGoal;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
@@ -11,9 +12,6 @@ import java.util.Optional;
 
 /** How long a path-traced picture at rest is refined, and whether its noise is removed. */
 final class RestRows {
-    private static final double PERCENT = 100;
-    private static final List<Double> GOALS = List.of(0.0, 0.05, 0.02, 0.01, 0.005, 0.002);
-
     private final Studio studio;
     private final Errands errands;
     private final ChoiceRow<Double> noise;
@@ -26,7 +24,7 @@ final class RestRows {
                 "Stop at noise",
                 "With path tracing: stop refining at this noise, an error in percent of white.",
                 "",
-                goal -> new Look(goal == 0 ? "never" : goal * PERCENT + " %"),
+                goal -> new Look(NoiseGoal.label(goal)),
                 studio.noiseGoalProperty()::set,
                 studio::notice);
         denoise = new SwitchRow(
@@ -34,7 +32,7 @@ final class RestRows {
                 "With path tracing: remove the noise of a picture at rest by Open Image Denoise.",
                 "",
                 this::setDenoising);
-        studio.noiseGoalProperty().subscribe(goal -> noise.show(GOALS, goal, 0.0));
+        studio.noiseGoalProperty().subscribe(goal -> noise.show(NoiseGoal.ALL, goal, NoiseGoal.NONE));
         studio.denoiserProperty().subscribe(denoiser -> denoise.show(denoiser.isPresent(), false));
     }
 

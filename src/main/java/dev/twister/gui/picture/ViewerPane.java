@@ -3,6 +3,7 @@ package dev.twister.gui.picture;
 import dev.twister.gui.controls.Problems;
 import dev.twister.gui.model.ComparedPictures;
 import dev.twister.gui.model.ComparedPictures.Mode;
+import dev.twister.gui.model.RelitDenoising;
 import dev.twister.gui.model.ScreenColor;
 import dev.twister.gui.model.ViewedPicture;
 import dev.twister.gui.studio.Errands;
@@ -15,6 +16,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
+import javafx.scene.control.CheckBox;
 import javafx.scene.control.ColorPicker;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -46,6 +48,8 @@ final class ViewerPane extends BorderPane {
     private final Label values = new Label();
     private final Slider exposure = new Slider(-STOPS, STOPS, 0);
     private final List<LightControls> lights = new ArrayList<>();
+    private final CheckBox denoise = new CheckBox("with Open Image Denoise");
+    private final RelitDenoising denoising;
     private final CompareControls compare = new CompareControls(this::take);
     private final Supplier<Optional<ShownRadiance>> rendering;
     private Optional<Other> other = Optional.empty();
@@ -55,6 +59,7 @@ final class ViewerPane extends BorderPane {
     private double zoom = 1;
     private boolean toning;
     private boolean toneAgain;
+    private boolean cleaning;
 
     /** What changes a light. */
     private record LightControls(Slider strength, ColorPicker color) {
@@ -83,6 +88,7 @@ final class ViewerPane extends BorderPane {
     ViewerPane(ViewedPicture picture, Errands errands, Supplier<Optional<ShownRadiance>> rendering) {
         this.picture = picture;
         this.errands = errands;
+        denoising = new RelitDenoising(picture);
         this.rendering = rendering;
         shownWidth = picture.width();
         wiped = picture.width() / 2;
@@ -116,6 +122,17 @@ final class ViewerPane extends BorderPane {
             row.getChildren().add(change.color());
             controls.getChildren().add(row);
         }
+        if (picture.guides().isPresent()) {
+            Label label = new Label("Denoise");
+            label.getStyleClass().add("row-name");
+            label.setLabelFor(denoise);
+            denoise.setId("viewed-denoise");
+            denoise.setSelected(picture.denoised());
+            denoise.selectedProperty().subscribe((_, _) -> tone());
+            HBox row = new HBox(label, denoise);
+            row.getStyleClass().add("row");
+            controls.getChildren().add(row);
+        }
         controls.getChildren().add(compare);
         compare.modeProperty().subscribe((_, now) -> compare(now));
         HBox status = new HBox(values);
@@ -146,16 +163,45 @@ final class ViewerPane extends BorderPane {
         if (!toning) {
             toning = true;
             double stops = exposure.getValue();
-            List<Rgb> factors = lights.stream().map(LightControls::factor).toList();
+            List<Rgb> factors = factors();
+            boolean clean = denoise.isSelected();
             Mode mode = compare.modeProperty().get();
             int columns = wiped;
             Optional<Other> second = other;
-            errands.run(() -> toned(stops, factors, mode, columns, second), this::show, this::complain);
+            errands.run(
+                    () -> {
+                        Optional<float[]> known = clean ? denoising.known(factors) : Optional.empty();
+                        return toned(known.orElseGet(() -> picture.lit(factors)), stops, mode, columns, second);
+                    },
+                    this::show,
+                    this::complain);
         }
     }
 
-    private Toned toned(double stops, List<Rgb> factors, Mode mode, int columns, Optional<Other> second) {
-        float[] radiance = picture.lit(factors);
+    private List<Rgb> factors() {
+        return lights.stream().map(LightControls::factor).toList();
+    }
+
+    /** Removes the noise in the background, once nothing changes any more. */
+    private void clean() {
+        List<Rgb> factors = factors();
+        if (denoise.isSelected() && !cleaning && denoising.isDue(factors)) {
+            cleaning = true;
+            errands.run(
+                    () -> denoising.clean(factors),
+                    _ -> {
+                        cleaning = false;
+                        tone();
+                    },
+                    problem -> {
+                        cleaning = false;
+                        denoise.setSelected(false);
+                        values.setText(Problems.explain(problem));
+                    });
+        }
+    }
+
+    private Toned toned(float[] radiance, double stops, Mode mode, int columns, Optional<Other> second) {
         Rendering settings = Rendering.DEFAULT.withTone(stops, Rendering.DEFAULT.toneMap(), true);
         Optional<Other> same = second.filter(one -> one.width() == picture.width() && one.height() == picture.height());
         if (same.isEmpty()) {
@@ -211,6 +257,8 @@ final class ViewerPane extends BorderPane {
         toning = false;
         if (toneAgain) {
             tone();
+        } else {
+            clean();
         }
     }
 

@@ -12,18 +12,20 @@ import java.util.Optional;
 final class RenderEstimate {
     private RenderEstimate() {}
 
-    /** Such as {@code 61 frames, 1,024 samples per pixel, about 2 h 10 min}. */
+    /** Such as {@code 61 frames, 1,024 samples per pixel, about 2 h 10 min}; the most, if noise ends it earlier. */
     static String text(RenderOrder order, Optional<DrawnPicture> seen) {
         int frames = order.output().range().count();
-        int samples = order.scene().rendering().samplesPerPixel();
+        int samples = order.sampling().samples();
+        String most = order.sampling().noise().isPresent() ? "at most " : "";
         return String.format(
                         Locale.ROOT,
-                        "%s%,d %s per pixel",
+                        "%s%s%,d %s per pixel",
                         frames == 1 ? "" : String.format(Locale.ROOT, "%,d frames, ", frames),
+                        most,
                         samples,
                         samples == 1 ? "sample" : "samples")
                 + seen.flatMap(picture -> time(order, picture))
-                        .map(time -> ", about " + TimeLeft.text(time))
+                        .map(time -> ", " + most + "about " + TimeLeft.text(time))
                         .orElse("");
     }
 

@@ -55,7 +55,7 @@ final class RenderForm extends GridPane {
     private final PlainBox<Picture> shown = new PlainBox<>("render-show", ShownPictures::label, this::check);
     private final PlainBox<RenderFormat> format = new PlainBox<>("render-format", RenderFormat::label, this::check);
     private final Label estimate = new Label();
-    private final DenoiserChoice denoiser = new DenoiserChoice(this::check);
+    private final FinishingFields finishing = new FinishingFields(this::check);
     private Optional<Long> document = Optional.empty();
     private int rows;
 
@@ -81,8 +81,10 @@ final class RenderForm extends GridPane {
         addRow("S_hadow samples", shadows, shadows);
         addRow("En_gine", engine, engine);
         addRow("Sho_w", shown, shown);
-        addRow("De_noise", denoiser.box(), denoiser.box());
+        addRow("Stop at no_ise", finishing.noise(), finishing.noise());
+        addRow("De_noise", finishing.denoiser(), finishing.denoiser());
         addRow("_Format", format, format);
+        addRow("_Light layers", finishing.lightLayers(), finishing.lightLayers());
         estimate.setId("render-estimate");
         estimate.getStyleClass().add("hint");
         add(estimate, 1, rows);
@@ -122,7 +124,7 @@ final class RenderForm extends GridPane {
             films.startAnew();
         }
         films.follow(scene);
-        denoiser.look();
+        finishing.look();
     }
 
     /** Shows how much the present order is. */
@@ -140,7 +142,7 @@ final class RenderForm extends GridPane {
     Optional<RenderOrder> order(Path file) {
         Scene scene = VisibleBodies.of(studio.scene());
         return size.size()
-                .filter(_ -> samples.complaint().or(shadows::complaint).isEmpty())
+                .filter(_ -> wrongNumber().isEmpty())
                 .map(wanted -> scene.withRendering(settings(scene.rendering(), wanted)))
                 .flatMap(sized -> engine.choice()
                         .flatMap(chosen -> shown.choice().flatMap(picture -> order(sized, picture, chosen, file))));
@@ -150,7 +152,7 @@ final class RenderForm extends GridPane {
         Optional<RenderOrder> order = film.isSelected()
                 ? films.film().map(plan -> WindowOrder.film(scene, picture, chosen, plan, file))
                 : Optional.of(WindowOrder.picture(scene, picture, chosen, movedBodies(scene), file));
-        return order.map(plain -> plain.denoisedBy(denoiser.choice()));
+        return order.map(plain -> finishing.applyTo(plain, format()));
     }
 
     private Rendering settings(Rendering usual, PictureSize wanted) {
@@ -196,11 +198,15 @@ final class RenderForm extends GridPane {
         check();
     }
 
+    private Optional<String> wrongNumber() {
+        return samples.complaint().or(shadows::complaint).or(() -> finishing.complaint(samples.wholeNumber()));
+    }
+
     private void check() {
+        finishing.follow(format());
         Optional<String> wrong = (film.isSelected() ? films.complaint() : Optional.<String>empty())
                 .or(size::complaint)
-                .or(samples::complaint)
-                .or(shadows::complaint);
+                .or(this::wrongNumber);
         complaint.set(
                 wrong.or(() -> order(Path.of(format().fileName("picture"))).flatMap(RenderForm::shortage)));
     }

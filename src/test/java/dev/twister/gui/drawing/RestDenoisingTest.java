@@ -114,6 +114,53 @@ class RestDenoisingTest {
         assertThat(rested.samples()).isBetween(16, 4095);
     }
 
+    @Test
+    void itsSamplesAreKeptWhenDenoisingIsSwitched() {
+        request(scene, new Refinement(SAMPLES, 0, Optional.empty()));
+        await(picture -> picture.gathered().isDone());
+        request(scene, new Refinement(SAMPLES, 0, Optional.of(FAKE)));
+        DrawnPicture clean = await(picture -> {
+            assertThat(picture.samples()).isGreaterThanOrEqualTo(SAMPLES);
+            return picture.gathered().denoised() && picture.gathered().isDone();
+        });
+        request(scene, new Refinement(SAMPLES, 0, Optional.empty()));
+        DrawnPicture noisy = await(picture -> picture.request().number() == requests);
+
+        // The guides need samples of their own.
+        assertThat(clean.samples()).isBetween(SAMPLES + 1, SAMPLES + 32);
+        assertThat(noisy.gathered().denoised()).isFalse();
+        assertThat(noisy.samples()).isEqualTo(clean.samples());
+        assertThat(loop.radiance(noisy).join().orElseThrow()[0]).isLessThan(1);
+    }
+
+    @Test
+    void itsSamplesAreKeptWhenItRestsAtAnotherNoise() {
+        request(scene, new Refinement(4096, 0.2, Optional.empty()));
+        int samples = await(picture -> picture.gathered().isDone()).samples();
+        request(scene, new Refinement(4096, 0.1, Optional.empty()));
+        DrawnPicture rested = await(picture -> {
+            assertThat(picture.samples()).isGreaterThanOrEqualTo(samples);
+            return picture.request().number() == requests && picture.gathered().isDone();
+        });
+
+        assertThat(rested.noise().orElseThrow()).isLessThanOrEqualTo(0.1);
+    }
+
+    @Test
+    void aFailureIsForgottenWithDenoising() {
+        DenoiserOffer broken = DenoiserOffer.working("broken", RestDenoisingTest::fail);
+        request(scene, new Refinement(SAMPLES, 0, Optional.of(broken)));
+        await(picture -> picture.gathered().isDone());
+        request(scene, new Refinement(SAMPLES, 0, Optional.empty()));
+        await(picture -> picture.request().number() == requests);
+
+        long end = System.nanoTime() + LIMIT.toNanos();
+        while (loop.status().engineFailure().isPresent()) {
+            assertThat(System.nanoTime()).isLessThan(end);
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
+        }
+    }
+
     private void request(Scene wanted, Refinement refinement) {
         requests++;
         loop.request(new DrawingRequest(

@@ -1,0 +1,67 @@
+package dev.twister.gui.rendering;
+
+import dev.twister.gui.controls.PlainBox;
+import dev.twister.gui.model.NoiseGoal;
+import dev.twister.gui.model.RenderFormat;
+import dev.twister.render.Finishing;
+import dev.twister.render.RenderOrder;
+import dev.twister.render.Sampling;
+import java.util.Optional;
+import javafx.scene.control.CheckBox;
+
+/** What is done about noise, and which layers a file gets. */
+final class FinishingFields {
+    private final PlainBox<Double> noise;
+    private final DenoiserChoice denoiser;
+    private final CheckBox lightLayers = new CheckBox("in OpenEXR files, for View picture");
+
+    /** @param changed called when a person has chosen */
+    FinishingFields(Runnable changed) {
+        noise = new PlainBox<>("render-noise", NoiseGoal::label, changed);
+        noise.offer(NoiseGoal.ALL, Optional.of(NoiseGoal.NONE));
+        denoiser = new DenoiserChoice(changed);
+        lightLayers.setId("render-light-layers");
+        lightLayers.setOnAction(_ -> changed.run());
+    }
+
+    PlainBox<Double> noise() {
+        return noise;
+    }
+
+    CheckBox denoiser() {
+        return denoiser.box();
+    }
+
+    CheckBox lightLayers() {
+        return lightLayers;
+    }
+
+    /** Looks for a denoiser in the background, once. */
+    void look() {
+        denoiser.look();
+    }
+
+    /** Offers what a file of the format can hold. */
+    void follow(RenderFormat format) {
+        lightLayers.setDisable(!format.hasLayers());
+    }
+
+    /** Why there can be no such order. */
+    Optional<String> complaint(int samples) {
+        return goal().filter(_ -> samples < Sampling.LEAST_CONVERGING)
+                .map(_ -> "Samples per pixel is " + samples + ", but to stop at a noise, at least "
+                        + Sampling.LEAST_CONVERGING + " are needed");
+    }
+
+    /** The order with the chosen noise, denoiser and layers, as far as its picture can have them. */
+    RenderOrder applyTo(RenderOrder order, RenderFormat format) {
+        boolean color = order.pictures().getFirst().isColor();
+        Sampling sampling = new Sampling(order.sampling().samples(), goal().filter(_ -> color));
+        boolean layers = format.hasLayers() && lightLayers.isSelected();
+        return order.with(sampling, new Finishing(false, false, layers, denoiser.choice()));
+    }
+
+    private Optional<Double> goal() {
+        return noise.choice().filter(goal -> goal > 0);
+    }
+}
