@@ -58,7 +58,7 @@ final class LibraryProbe {
         return of(place, MOST_SECONDS);
     }
 
-    /** As above, for at most so many seconds. */
+    /** As above, with another time limit. */
     static Result of(String place, long mostSeconds) {
         try {
             Process process = new ProcessBuilder(command(place))

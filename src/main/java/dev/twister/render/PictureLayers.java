@@ -12,7 +12,7 @@ public final class PictureLayers {
     public static final List<String> COLORS = List.of("R", "G", "B");
 
     /** The picture before its noise was removed. */
-    static final List<String> NOISY = layer("noisy", "RGB");
+    public static final List<String> NOISY = layer("noisy", "RGB");
 
     /** Guides of denoising: colors and normals behind mirrors and clear glass. */
     static final List<String> GUIDE_ALBEDO = layer("guide-albedo", "RGB");

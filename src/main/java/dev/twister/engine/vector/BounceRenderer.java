@@ -117,7 +117,7 @@ final class BounceRenderer {
         } else {
             illuminate(drawing, rays, bounce);
             if (drawing.looks.metallic) {
-                MetalLanes.tintHighlights(rays, drawing);
+                MetalLanes.addHighlights(rays, drawing);
             }
         }
         ScatterLanes.shade(rays, drawing);

@@ -123,11 +123,14 @@ final class PictureWork implements AutoCloseable {
         Engine engine = seat.engine();
         if (!isAtWork(wanted) || !drawer.equals(Optional.of(engine)) || seat.hasBecomeFaster()) {
             boolean toned = hasItsSamples(wanted, engine);
+            boolean otherDenoiser = !request.flatMap(this::denoiser).equals(denoiser(wanted));
             drawn = toned || (drawn && isSlowAndTheSame(wanted, engine));
             request = Optional.of(wanted);
             drawer = Optional.of(engine);
             if (toned) {
-                denoising.retry();
+                if (otherDenoiser) {
+                    denoising.retry();
+                }
                 showRefined(wanted, engine);
                 return true;
             }
@@ -383,7 +386,7 @@ final class PictureWork implements AutoCloseable {
         if (done) {
             return false;
         }
-        // Beyond the limit, those with guides.
+        // At the limit, single samples follow until the guides have enough.
         int samples = Math.max(1, picture.samplesOfNextPass(input.samplesPerPixel()));
         FrameInput plain = picture.next(input, samples);
         FrameInput next = denoiser.isPresent() ? plain.withGuides() : plain;

@@ -80,8 +80,10 @@ final class RestDenoising implements AutoCloseable {
      */
     boolean advance(RefinedPicture picture, boolean done, DenoiserOffer offer) {
         boolean fresh = take();
-        int before = clean.map(Clean::guidedSamples).orElse(0);
-        boolean due = picture.guidedSamples() >= 2 * before || (done && !isDone(picture));
+        boolean due = (done && !isDone(picture))
+                || picture.guidedSamples()
+                        >= 2 * clean.map(Clean::guidedSamples).orElse(0)
+                || picture.samples() >= 2 * clean.map(Clean::samples).orElse(0);
         if (work.isEmpty() && failure.isEmpty() && picture.guidedSamples() > 0 && due) {
             NoisyPicture noisy = picture.noisy();
             CompletableFuture<float[]> result =

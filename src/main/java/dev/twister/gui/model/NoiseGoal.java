@@ -2,7 +2,7 @@ package dev.twister.gui.model;
 
 import java.util.List;
 
-/** The noise at which pictures stop to gather samples, relative to white. */
+/** The noise at which pictures stop gathering samples, relative to white. */
 public final class NoiseGoal {
     /** All samples are gathered. */
     public static final double NONE = 0;

@@ -25,7 +25,7 @@ import java.util.stream.IntStream;
 public final class RefinedPicture {
     private static final int CHANNELS = 3;
 
-    /** With so many samples, guides have smooth edges. */
+    /** Number of samples from which guides have smooth edges. */
     private static final int ENOUGH_GUIDED = 16;
 
     private final int width;

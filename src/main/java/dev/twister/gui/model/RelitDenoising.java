@@ -23,12 +23,14 @@ public final class RelitDenoising {
 
     /** The radiance without noise, if it is known for these factors of the lights. */
     public Optional<float[]> known(List<Rgb> factors) {
-        return newest.filter(clean -> clean.factors().equals(factors)).map(Clean::radiance);
+        return picture.clean(factors)
+                .or(() ->
+                        newest.filter(clean -> clean.factors().equals(factors)).map(Clean::radiance));
     }
 
     /** Whether {@link #clean} has something to do. */
     public boolean isDue(List<Rgb> factors) {
-        return picture.isNoisy(factors) && known(factors).isEmpty();
+        return picture.guides().isPresent() && known(factors).isEmpty();
     }
 
     /**

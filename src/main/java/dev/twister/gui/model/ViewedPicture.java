@@ -9,7 +9,6 @@ import dev.twister.image.ExrReader;
 import dev.twister.render.DenoisedPicture;
 import dev.twister.render.PictureFormat;
 import dev.twister.render.PictureLayers;
-import dev.twister.render.RelitPicture;
 import dev.twister.scene.Rgb;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
@@ -25,11 +24,11 @@ import java.util.Optional;
  * @param radiance linear, three floats per pixel
  * @param lights its light layers; none if the file has none
  * @param guides of denoising, if the file has them
- * @param denoised whether the radiance has no noise any more; the lights have theirs
+ * @param clean the radiance without noise, if the file has it
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 public record ViewedPicture(
-        int width, int height, float[] radiance, List<Light> lights, Optional<Guides> guides, boolean denoised) {
+        int width, int height, float[] radiance, List<Light> lights, Optional<Guides> guides, Optional<float[]> clean) {
     private static final int CHANNELS = 3;
     private static final Rgb UNCHANGED = new Rgb(1, 1, 1);
 
@@ -51,7 +50,7 @@ public record ViewedPicture(
         if (!PictureFormat.of(file).equals(Optional.of(PictureFormat.EXR))) {
             Skybox image = SkyboxReader.read(file);
             return new ViewedPicture(
-                    image.width(), image.height(), image.radiance(), List.of(), Optional.empty(), false);
+                    image.width(), image.height(), image.radiance(), List.of(), Optional.empty(), Optional.empty());
         }
         ExrExtent extent = ExrReader.extent(file);
         if (extent.rows() < extent.height()) {
@@ -65,13 +64,14 @@ public record ViewedPicture(
             PictureLayers.of(picture, PictureLayers.light(group))
                     .ifPresent(radiance -> lights.add(new Light(group, radiance)));
         }
+        Optional<float[]> noisy = PictureLayers.of(picture, PictureLayers.NOISY);
         return new ViewedPicture(
                 picture.width(),
                 picture.height(),
-                colors,
+                noisy.orElse(colors),
                 List.copyOf(lights),
                 DenoisedPicture.guides(picture),
-                RelitPicture.wasDenoised(picture));
+                noisy.map(_ -> colors));
     }
 
     /**
@@ -99,9 +99,9 @@ public record ViewedPicture(
         return factors.stream().allMatch(UNCHANGED::equals);
     }
 
-    /** Whether {@link #lit} has noise that can be removed. */
-    public boolean isNoisy(List<Rgb> factors) {
-        return guides.isPresent() && !(denoised && isUnchanged(factors));
+    /** {@link #lit} without noise, if the file has it. */
+    public Optional<float[]> clean(List<Rgb> factors) {
+        return clean.filter(_ -> isUnchanged(factors));
     }
 
     /** The picture {@link #lit} with its guides. */

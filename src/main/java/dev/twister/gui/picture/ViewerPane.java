@@ -15,7 +15,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
+import javafx.animation.PauseTransition;
+import javafx.application.Platform;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.ColorPicker;
 import javafx.scene.control.Label;
@@ -31,9 +34,11 @@ import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
 import javafx.scene.paint.Color;
+import javafx.util.Duration;
 
 /**
- * A picture that can be magnified, with its exposure, the strengths and colors of its lights, and its pixels' values.
+ * A picture that can be magnified, with its exposure, the strengths and colors of its lights, without noise if wanted,
+ * and its pixels' values.
  */
 final class ViewerPane extends BorderPane {
     private static final double STEP = 1.25;
@@ -41,6 +46,7 @@ final class ViewerPane extends BorderPane {
     private static final double LEAST_ZOOM = 1.0 / 16;
     private static final double STOPS = 6;
     private static final double MOST_STRENGTH = 4;
+    private static final Duration REST = Duration.millis(300);
 
     private final ViewedPicture picture;
     private final Errands errands;
@@ -60,6 +66,9 @@ final class ViewerPane extends BorderPane {
     private boolean toning;
     private boolean toneAgain;
     private boolean cleaning;
+
+    /** Ends when nothing has changed for some time. */
+    private final PauseTransition rest = new PauseTransition(REST);
 
     /** What changes a light. */
     private record LightControls(Slider strength, ColorPicker color) {
@@ -89,6 +98,7 @@ final class ViewerPane extends BorderPane {
         this.picture = picture;
         this.errands = errands;
         denoising = new RelitDenoising(picture);
+        rest.setOnFinished(_ -> clean());
         this.rendering = rendering;
         shownWidth = picture.width();
         wiped = picture.width() / 2;
@@ -122,12 +132,12 @@ final class ViewerPane extends BorderPane {
             row.getChildren().add(change.color());
             controls.getChildren().add(row);
         }
-        if (picture.guides().isPresent()) {
+        if (picture.guides().isPresent() || picture.clean().isPresent()) {
             Label label = new Label("Denoise");
             label.getStyleClass().add("row-name");
             label.setLabelFor(denoise);
             denoise.setId("viewed-denoise");
-            denoise.setSelected(picture.denoised());
+            denoise.setSelected(picture.clean().isPresent());
             denoise.selectedProperty().subscribe((_, _) -> tone());
             HBox row = new HBox(label, denoise);
             row.getStyleClass().add("row");
@@ -182,22 +192,23 @@ final class ViewerPane extends BorderPane {
         return lights.stream().map(LightControls::factor).toList();
     }
 
-    /** Removes the noise in the background, once nothing changes any more. */
+    /** Removes the noise on a thread of its own, as that may take seconds. */
     private void clean() {
         List<Rgb> factors = factors();
         if (denoise.isSelected() && !cleaning && denoising.isDue(factors)) {
             cleaning = true;
-            errands.run(
-                    () -> denoising.clean(factors),
-                    _ -> {
-                        cleaning = false;
-                        tone();
-                    },
-                    problem -> {
-                        cleaning = false;
-                        denoise.setSelected(false);
-                        values.setText(Problems.explain(problem));
-                    });
+            CompletableFuture<float[]> _ = CompletableFuture.supplyAsync(() -> denoising.clean(factors))
+                    .whenComplete((_, problem) -> Platform.runLater(() -> endCleaning(Optional.ofNullable(problem))));
+        }
+    }
+
+    private void endCleaning(Optional<Throwable> problem) {
+        cleaning = false;
+        if (problem.isPresent()) {
+            denoise.setSelected(false);
+            values.setText(Problems.explain(problem.get().getCause()));
+        } else {
+            tone();
         }
     }
 
@@ -258,7 +269,7 @@ final class ViewerPane extends BorderPane {
         if (toneAgain) {
             tone();
         } else {
-            clean();
+            rest.playFromStart();
         }
     }
 

@@ -13,7 +13,7 @@ import javafx.scene.control.CheckBox;
 final class FinishingFields {
     private final PlainBox<Double> noise;
     private final DenoiserChoice denoiser;
-    private final CheckBox lightLayers = new CheckBox("in OpenEXR files, for View picture");
+    private final CheckBox lightLayers = new CheckBox("in OpenEXR files; File > View picture changes them");
 
     /** @param changed called when a person has chosen */
     FinishingFields(Runnable changed) {
@@ -46,9 +46,13 @@ final class FinishingFields {
         lightLayers.setDisable(!format.hasLayers());
     }
 
-    /** Why there can be no such order. */
-    Optional<String> complaint(int samples) {
-        return goal().filter(_ -> samples < Sampling.LEAST_CONVERGING)
+    /**
+     * Why there can be no such order.
+     *
+     * @param color whether the picture has colors; numbers have no noise
+     */
+    Optional<String> complaint(int samples, boolean color) {
+        return goal().filter(_ -> color && samples < Sampling.LEAST_CONVERGING)
                 .map(_ -> "Samples per pixel is " + samples + ", but to stop at a noise, at least "
                         + Sampling.LEAST_CONVERGING + " are needed");
     }

@@ -25,7 +25,7 @@ final class RenderEstimate {
                         samples,
                         samples == 1 ? "sample" : "samples")
                 + seen.flatMap(picture -> time(order, picture))
-                        .map(time -> ", " + most + "about " + TimeLeft.text(time))
+                        .map(time -> (most.isEmpty() ? ", about " : ", up to about ") + TimeLeft.text(time))
                         .orElse("");
     }
 

@@ -199,7 +199,11 @@ final class RenderForm extends GridPane {
     }
 
     private Optional<String> wrongNumber() {
-        return samples.complaint().or(shadows::complaint).or(() -> finishing.complaint(samples.wholeNumber()));
+        return samples.complaint()
+                .or(shadows::complaint)
+                .or(() -> finishing.complaint(
+                        samples.wholeNumber(),
+                        shown.choice().filter(Picture::isColor).isPresent()));
     }
 
     private void check() {

@@ -37,6 +37,15 @@ class ViewedPictureTest {
     }
 
     @Test
+    void aDenoisedFileHasItsNoisyPictureToo() throws IOException {
+        ViewedPicture picture = ViewedPicture.read(exr(0, Map.of("", 5f, "noisy.", 4f, "light-lamp.", 2f)));
+
+        assertThat(picture.radiance()).containsOnly(4);
+        assertThat(picture.clean(List.of(new Rgb(1, 1, 1))).orElseThrow()).containsOnly(5);
+        assertThat(picture.clean(List.of(new Rgb(2, 1, 1)))).isEmpty();
+    }
+
+    @Test
     void otherFilesHaveNoLights() throws IOException {
         Path file = folder.resolve("a.hdr");
         HdrWriter.write(file, 2, 1, new float[] {1, 2, 4, 0.5f, 0.5f, 0.5f}, new Provenance("Twister", "picture", "1"));

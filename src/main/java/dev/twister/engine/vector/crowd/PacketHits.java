@@ -12,8 +12,9 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Closest sphere or light per ray, through the hierarchy. A packet's coherent rays traverse it as one beam. The other
- * rays have one beam each; as many as there are lanes are traversed level by level.
+ * Closest sphere or first light per ray, through the hierarchy, and closer lights after the first. A packet's coherent
+ * rays traverse it as one beam. The other rays have one beam each; as many as there are lanes are traversed level by
+ * level.
  */
 public final class PacketHits {
     /** Smallest cosine between the directions of coherent rays. */

@@ -58,7 +58,7 @@ public final class Declined {
             end = input.bodyEnd();
             crowded = walk;
             maps = input.bodies().textures();
-            takeBodies(input.bodies().firstMesh());
+            takeBodies(input.bodies().firstMesh(), input.bodies().end());
         }
         int toneMap = (int) input.view().frame()[Layout.TONE_MAP];
         frame = input.aspect() != Aspect.FULL
@@ -96,10 +96,9 @@ public final class Declined {
         return throughLens || Math.abs(squared - radius * radius) <= ROUNDING * radius * radius;
     }
 
-    private void takeBodies(int firstMesh) {
-        int allBodies = looks.length / Layout.LOOK_STRIDE;
-        if (declined.length < allBodies) {
-            declined = new boolean[allBodies];
+    private void takeBodies(int firstMesh, int room) {
+        if (declined.length < room) {
+            declined = new boolean[room];
         }
         Arrays.fill(declined, false);
         occluders.reserve(end);

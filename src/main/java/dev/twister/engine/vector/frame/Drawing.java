@@ -29,6 +29,11 @@ public final class Drawing {
 
     public int lightCount;
 
+    /** The bodies of the lights after the first: from this one to before {@link #endOfLights}. */
+    public int secondLight;
+
+    public int endOfLights;
+
     /** Whether the light of several lights is summed up: there are several, or one whose share is not 1. */
     public boolean severalLights;
 
@@ -124,6 +129,8 @@ public final class Drawing {
     private void takeLights() {
         lightCount = input.lights();
         severalLights = input.hasSeveralLights();
+        secondLight = input.light(1);
+        endOfLights = input.light(lightCount);
         if (lights.length < lightCount) {
             lights = new ShadingLight[lightCount];
             Arrays.setAll(lights, _ -> new ShadingLight());

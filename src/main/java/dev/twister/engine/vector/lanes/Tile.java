@@ -147,7 +147,7 @@ public final class Tile {
 
     public static final int TEXEL_ROW = FACET_Y;
 
-    /** Sums over several lights: of the factors of matte surfaces' colors, and of the highlights. */
+    /** Sums over several lights, while these shade: of the factors of matte surfaces' colors, and of the highlights. */
     public static final int LIT = SKY_TO_RIGHT;
 
     public static final int HIGHLIGHT_RED = FACET_X;

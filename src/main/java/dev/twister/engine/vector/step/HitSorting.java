@@ -36,8 +36,6 @@ public final class HitSorting {
     public static void sort(Tile tile, Drawing drawing) {
         clear(tile);
         boolean furtherLights = drawing.lightCount > 1;
-        float second = furtherLights ? drawing.lights[1].body : 0f;
-        float end = second + drawing.lightCount - 1;
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
@@ -49,7 +47,8 @@ public final class HitSorting {
             }
             VectorMask<Float> light = hit.compare(VectorOperators.EQ, Layout.LIGHT);
             if (furtherLights) {
-                light = light.or(hit.compare(VectorOperators.GE, second).and(hit.compare(VectorOperators.LT, end)));
+                light = light.or(hit.compare(VectorOperators.GE, drawing.secondLight)
+                        .and(hit.compare(VectorOperators.LT, drawing.endOfLights)));
             }
             if (light.anyTrue()) {
                 tile.lights.add(at);

@@ -12,7 +12,10 @@ import jdk.incubator.vector.VectorOperators;
 public final class LightHit {
     private LightHit() {}
 
-    /** Adds the lights' colors, and ends the rays that hit a light after the first. */
+    /**
+     * Adds the lights' colors. Rays that hit a light after the first are ended, as the numbers of these lights are
+     * among those of surfaces.
+     */
     public static void add(Tile tile, Drawing drawing) {
         addFirst(tile, drawing.lights[0]);
         if (drawing.lightCount > 1) {
@@ -39,14 +42,12 @@ public final class LightHit {
 
     private static void endAtFurther(Tile tile, Drawing drawing) {
         float[] t = tile.values;
-        int second = drawing.lights[1].body;
-        int end = second + drawing.lightCount - 1;
         for (int k = 0; k < tile.lights.count; k++) {
             int at = tile.lights.places[k];
             for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
                 int hit = (int) t[pixel + Tile.HIT];
-                if (hit >= second && hit < end) {
-                    ShadingLight light = drawing.lights[1 + hit - second];
+                if (hit >= drawing.secondLight && hit < drawing.endOfLights) {
+                    ShadingLight light = drawing.lights[1 + hit - drawing.secondLight];
                     float throughput = t[pixel + Tile.THROUGHPUT];
                     t[pixel + Tile.RED] += throughput * light.red;
                     t[pixel + Tile.GREEN] += throughput * light.green;

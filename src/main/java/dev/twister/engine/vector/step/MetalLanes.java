@@ -34,29 +34,28 @@ public final class MetalLanes {
     }
 
     /**
-     * Adds {@code T * lightColor * spec * (tint - 1)} in packets with metals, whose shading adds the highlight without
-     * the tint.
+     * Adds {@code T * tint * lightColor * spec} in packets with metals, and sets the specular column to 0, so that
+     * shading does not add the highlight without the tint.
      */
-    public static void tintHighlights(Tile tile, Drawing drawing) {
+    public static void addHighlights(Tile tile, Drawing drawing) {
         ShadingLight light = drawing.lights[tile.light];
-        tintHighlights(tile, 0, light.red);
-        tintHighlights(tile, Tile.SIZE, light.green);
-        tintHighlights(tile, 2 * Tile.SIZE, light.blue);
-    }
-
-    private static void tintHighlights(Tile tile, int column, float light) {
         float[] t = tile.values;
         for (int k = 0; k < tile.metals.count; k++) {
             int at = tile.metals.places[k];
-            FloatVector tint = Lanes.load(t, at + column + Tile.SHEEN_RED).sub(1f);
-            FloatVector highlight = Lanes.load(t, at + Tile.THROUGHPUT)
-                    .mul(Lanes.load(t, at + Tile.SPECULAR))
-                    .mul(light);
-            FloatVector before = Lanes.load(t, at + column + Tile.RED);
-            before.blend(
-                            before.add(highlight.mul(tint)),
-                            Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GE, Layout.PLANE))
-                    .intoArray(t, at + column + Tile.RED);
+            addHighlight(t, at, 0, light.red);
+            addHighlight(t, at, Tile.SIZE, light.green);
+            addHighlight(t, at, 2 * Tile.SIZE, light.blue);
+            Lanes.all(0f).intoArray(t, at + Tile.SPECULAR);
         }
+    }
+
+    private static void addHighlight(float[] t, int at, int column, float color) {
+        FloatVector highlight = Lanes.load(t, at + Tile.THROUGHPUT)
+                .mul(Lanes.load(t, at + Tile.SPECULAR))
+                .mul(color)
+                .mul(Lanes.load(t, at + column + Tile.SHEEN_RED));
+        FloatVector before = Lanes.load(t, at + column + Tile.RED);
+        before.blend(before.add(highlight), Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GE, Layout.PLANE))
+                .intoArray(t, at + column + Tile.RED);
     }
 }
