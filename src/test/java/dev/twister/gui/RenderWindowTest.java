@@ -123,6 +123,7 @@ class RenderWindowTest {
             driver.run(() -> find("render-light-layers", CheckBox.class).fire());
             driver.run(() ->
                     find("render-noise", ComboBox.class).getSelectionModel().select(1));
+            type(driver, "render-samples-per-pixel", "64");
             driver.await(() -> text("render-estimate").startsWith("at most 64 samples per pixel"));
 
             type(driver, "render-samples-per-pixel", "4");
