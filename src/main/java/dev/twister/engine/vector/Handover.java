@@ -7,7 +7,10 @@ import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.shadow.ShadowCandidates;
 import dev.twister.kernel.Layout;
 
-/** Passes declined work to the scalar kernel: the rest of a path from a given bounce on, or a whole tile. */
+/**
+ * Passes declined work to the scalar kernel: the rest of a path from a given bounce on, the visible part of a light, or
+ * a whole tile.
+ */
 final class Handover {
     private final JvmKernel kernel = new JvmKernel();
 

@@ -127,8 +127,9 @@ public final class RefinedPicture {
     public void add(Frame pass, int passSamples) {
         boolean guided = pass.layerCount() == Guides.LAYERS;
         if (!pass.isLinear() || !fits(pass.width(), pass.height()) || (pass.layerCount() > 0 && !guided)) {
-            throw new IllegalArgumentException("a pass must be linear and " + width + " x " + height + " pixels, not "
-                    + pass.width() + " x " + pass.height());
+            throw new IllegalArgumentException("a pass must be linear, " + width + " x " + height
+                    + " pixels, without layers or with guides, not " + pass.width() + " x " + pass.height() + " with "
+                    + pass.layerCount() + " layers");
         }
         float[] radiance = pass.radiance();
         boolean other = isEstimated() && passes % 2 == 1;

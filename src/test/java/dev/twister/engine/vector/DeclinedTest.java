@@ -29,7 +29,9 @@ import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Random;
+import java.util.function.IntFunction;
 import java.util.function.IntPredicate;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -82,16 +84,24 @@ final class DeclinedTest {
     @MethodSource("widthsAndKinds")
     void randomScenesAreTheSame(int bits, Object kind) {
         Random random = new Random(20261125);
+        assertSame(
+                crowd -> WidthLoader.openDeclining(bits, 2, crowd, ((Kind) kind).bodies()),
+                () -> RandomScenes.scene(random, random.nextInt(4)));
+    }
+
+    /** Compares 20 scenes with the hierarchy and 20 without. */
+    private static void assertSame(IntFunction<Engine> opener, Supplier<LitScene> scenes) {
         int pixels = 0;
         int different = 0;
         for (int crowd : new int[] {ALWAYS_WALK, NEVER_WALK}) {
-            try (Engine declining = WidthLoader.openDeclining(bits, 2, crowd, ((Kind) kind).bodies());
+            try (Engine vector = opener.apply(crowd);
                     Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
                 for (int count = 0; count < 20; count++) {
-                    LitScene scene = RandomScenes.scene(random, random.nextInt(4));
-                    FrameInput input = World.of(scene.scene(), scene.sky()).snapshot();
+                    LitScene scene = scenes.get();
+                    FrameInput input = World.of(scene.scene(), scene.images(), scene.meshes())
+                            .snapshot();
                     PictureDifference difference =
-                            PictureDifference.between(pixels(declining, input), pixels(sequential, input));
+                            PictureDifference.between(pixels(vector, input), pixels(sequential, input));
                     pixels += difference.pixels();
                     different += difference.differing().length;
                 }
@@ -149,23 +159,9 @@ final class DeclinedTest {
     @FieldSource("dev.twister.engine.vector.WidthLoader#WIDTHS")
     void severalLightsAreTheSame(int bits) {
         Random random = new Random(20261127);
-        int pixels = 0;
-        int different = 0;
-        for (int crowd : new int[] {ALWAYS_WALK, NEVER_WALK}) {
-            try (Engine vector = WidthLoader.openForCrowds(bits, 2, crowd);
-                    Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
-                for (int count = 0; count < 20; count++) {
-                    LitScene scene = RandomLights.added(RandomScenes.scene(random, random.nextInt(4)), random);
-                    FrameInput input = World.of(scene.scene(), scene.images(), scene.meshes())
-                            .snapshot();
-                    PictureDifference difference =
-                            PictureDifference.between(pixels(vector, input), pixels(sequential, input));
-                    pixels += difference.pixels();
-                    different += difference.differing().length;
-                }
-            }
-        }
-        assertThat(different).isLessThanOrEqualTo(pixels / PictureDifference.PIXELS_AN_ODD_ONE);
+        assertSame(
+                crowd -> WidthLoader.openForCrowds(bits, 2, crowd),
+                () -> RandomLights.added(RandomScenes.scene(random, random.nextInt(4)), random));
     }
 
     /** More lights than lanes, among all materials; some stand on the ground, which hides a part of them. */
