@@ -34,24 +34,31 @@ public final class JvmEngines implements EngineProvider {
         return EngineOffer.working(id, device, description, () -> new JvmEngine(id, device, rows));
     }
 
-    private static void drawInTurn(FrameInput input, Frame frame) {
+    private static long drawInTurn(FrameInput input, Frame frame) {
+        long start = ProcessorTime.ofThisThread();
         JvmKernel kernel = new JvmKernel();
         for (int row = 0; row < frame.height(); row++) {
             kernel.drawRow(input, frame, row, 0, input.width());
         }
+        return ProcessorTime.ofThisThread() - start;
     }
 
-    private static void drawInParallel(FrameInput input, Frame frame) {
+    private static long drawInParallel(FrameInput input, Frame frame) {
         RowSpread rows = new RowSpread(frame.height());
-        IntStream.range(0, frame.height())
+        return IntStream.range(0, frame.height())
                 .parallel()
-                .forEach(index -> new JvmKernel().drawRow(input, frame, rows.row(index), 0, input.width()));
+                .mapToLong(index -> {
+                    long start = ProcessorTime.ofThisThread();
+                    new JvmKernel().drawRow(input, frame, rows.row(index), 0, input.width());
+                    return ProcessorTime.ofThisThread() - start;
+                })
+                .sum();
     }
 
-    /** Renders the rows of a frame in some order. */
+    /** Renders the rows of a frame in some order; returns nanoseconds of processor time. */
     @FunctionalInterface
     private interface Rows {
-        void draw(FrameInput input, Frame frame);
+        long draw(FrameInput input, Frame frame);
     }
 
     /**
@@ -64,8 +71,8 @@ public final class JvmEngines implements EngineProvider {
         public void render(FrameInput input, Frame frame) {
             FrameFit.check(input, frame);
             long start = System.nanoTime();
-            rows.draw(input, frame);
-            frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start));
+            long processorNanos = rows.draw(input, frame);
+            frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start, processorNanos));
         }
 
         @Override
