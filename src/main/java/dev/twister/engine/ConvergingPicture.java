@@ -11,7 +11,8 @@ import java.util.function.Consumer;
 
 /**
  * A picture that accumulates samples until its noise is low, see {@link NoiseEstimate}. Tiles whose noise is low get no
- * more samples. What a tile gets depends on its own pixels alone, so that it is the same in every part of a picture.
+ * more samples. What a tile gets depends on its own row of tiles alone, so that it is the same in every part of a
+ * picture.
  */
 public final class ConvergingPicture {
     private static final int CHANNELS = 3;
@@ -22,6 +23,9 @@ public final class ConvergingPicture {
 
     /** A tile with fewer samples is not done: light that few samples find may not have been found yet. */
     private static final int LEAST_SAMPLES = 16;
+
+    /** The same where no clamp bounds what one sample finds. */
+    private static final int LEAST_UNCLAMPED = 32;
 
     /** Limit of samples per pixel in one call of an engine, so that progress is reported. */
     private static final int MOST_AT_ONCE = 64;
@@ -149,15 +153,22 @@ public final class ConvergingPicture {
     /** A tile is done if its noise is low after two passes: once may be by chance. */
     private void estimate(double bound) {
         double[] now = new NoiseEstimate(pass.width(), input.view().frame())
-                .tiles(new Half(sums[0], samplesOfHalf), new Half(sums[1], samplesOfHalf));
+                .tiles(
+                        new Half(sums[0], tile -> samplesOfTile[tile] / 2),
+                        new Half(sums[1], tile -> samplesOfTile[tile] / 2));
         for (int tile = 0; tile < wanted.length; tile++) {
             if (wanted[tile]) {
                 noise[tile] = now[tile];
                 boolean before = low[tile];
                 low[tile] = bound > 0 && now[tile] <= bound;
-                wanted[tile] = !(before && low[tile] && samplesOfTile[tile] >= LEAST_SAMPLES);
+                wanted[tile] = !(before && low[tile] && samplesOfTile[tile] >= leastSamples());
             }
         }
+    }
+
+    private int leastSamples() {
+        boolean unclamped = input.tracesPaths() && input.view().frame()[Layout.CLAMP] == 0;
+        return unclamped ? LEAST_UNCLAMPED : LEAST_SAMPLES;
     }
 
     private boolean isDone() {
