@@ -103,8 +103,8 @@ final class LibraryProbe {
     }
 
     /**
-     * Ends the process and those that the library started: descendants, which forget that they are once the process
-     * has ended, and copies of the process, which have its command line.
+     * Ends the process and those that the library started: descendants, which forget that they are once the process has
+     * ended, and copies of the process, which have its command line.
      */
     private static void endAll(Process process, Set<ProcessHandle> started, Path answer) {
         Stream<ProcessHandle> copies = ProcessHandle.allProcesses()

@@ -56,8 +56,8 @@ public record NoiseEstimate(int width, float[] frame) {
                 new RareLight(across, Arrays.stream(tiles).map(Tile::finds).toArray(Finds[]::new));
         return IntStream.range(0, count)
                 .parallel()
-                .mapToDouble(tile ->
-                        tiles[tile].square() + square(rare.missing(tile), new Pair(one, other, tile), height))
+                .mapToDouble(
+                        tile -> tiles[tile].square() + square(rare.missing(tile), new Pair(one, other, tile), height))
                 .map(Math::sqrt)
                 .toArray();
     }
@@ -143,7 +143,6 @@ public record NoiseEstimate(int width, float[] frame) {
     }
 
     private float shown(float radiance) {
-        return Tone.shown(
-                radiance, frame[Layout.EXPOSURE_SCALE], (int) frame[Layout.TONE_MAP], frame[Layout.SRGB]);
+        return Tone.shown(radiance, frame[Layout.EXPOSURE_SCALE], (int) frame[Layout.TONE_MAP], frame[Layout.SRGB]);
     }
 }

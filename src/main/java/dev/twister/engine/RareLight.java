@@ -3,9 +3,9 @@ package dev.twister.engine;
 import java.util.stream.IntStream;
 
 /**
- * Light that few samples find, such as caustics, in the tiles of a picture: what the pixels in which no sample has found
- * it may miss. The pixels of a tile that differ far more than the others show how much that light is and how few have
- * found it; the fewer, the less is known.
+ * Light that few samples find, such as caustics, in the tiles of a picture: what the pixels in which no sample has
+ * found it may miss. The pixels of a tile that differ far more than the others show how much that light is and how few
+ * have found it; the fewer, the less is known.
  *
  * <p>Tiles see what their neighbors in the same row of tiles have found, and no others, so that rows of tiles can be
  * rendered apart.
@@ -92,8 +92,7 @@ final class RareLight {
     /** Linear red, green and blue that a pixel of a tile may miss; 0 where nothing rare was found. */
     double[] missing(int tile) {
         int column = tile % across;
-        Finds near = IntStream.rangeClosed(
-                        Math.max(0, column - NEIGHBORS), Math.min(across - 1, column + NEIGHBORS))
+        Finds near = IntStream.rangeClosed(Math.max(0, column - NEIGHBORS), Math.min(across - 1, column + NEIGHBORS))
                 .mapToObj(beside -> tiles[tile - column + beside])
                 .reduce(Finds.NONE, Finds::plus);
         if (near.sum() == 0) {

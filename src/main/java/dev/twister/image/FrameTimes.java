@@ -9,8 +9,7 @@ package dev.twister.image;
  * @param copyOutNanos device to host; 0 on the JVM
  * @param processorNanos of all threads together; 0 if unknown, as on devices
  */
-public record FrameTimes(
-        long totalNanos, long kernelNanos, long copyInNanos, long copyOutNanos, long processorNanos) {
+public record FrameTimes(long totalNanos, long kernelNanos, long copyInNanos, long copyOutNanos, long processorNanos) {
     public static final FrameTimes NONE = new FrameTimes(0, 0, 0, 0, 0);
 
     private static final int CORES = Runtime.getRuntime().availableProcessors();

@@ -135,9 +135,7 @@ class ConvergingPictureTest {
 
     private static int leastSamples(FrameInput input) {
         Frame frame = Frame.ofPixels(input.width(), input.height());
-        return Arrays.stream(converged(input, frame, 0.2).samplesOfTile())
-                .min()
-                .orElseThrow();
+        return Arrays.stream(converged(input, frame, 0.2).samplesOfTile()).min().orElseThrow();
     }
 
     private static FrameInput traced() {
