@@ -37,6 +37,6 @@ class ProcessorTimeTest {
     void anUnknownTimeIsThatOfTheClock() {
         assertThat(FrameTimes.onJvm(10).effortNanos()).isEqualTo(10);
         int cores = Runtime.getRuntime().availableProcessors();
-        assertThat(FrameTimes.onJvm(10, 4 * cores).effortNanos()).isEqualTo(4);
+        assertThat(FrameTimes.onJvm(10, 4L * cores).effortNanos()).isEqualTo(4);
     }
 }
