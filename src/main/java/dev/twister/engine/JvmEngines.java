@@ -2,10 +2,10 @@ package dev.twister.engine;
 
 import com.google.auto.service.AutoService;
 import dev.twister.image.Frame;
+import dev.twister.image.FrameStop;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import java.util.List;
-import java.util.stream.IntStream;
 
 /** The engines that need only the JVM: the paper's two baselines. */
 @AutoService(EngineProvider.class)
@@ -19,7 +19,7 @@ public final class JvmEngines implements EngineProvider {
         return offer(
                 PARALLEL,
                 threads == 1 ? "one thread of this JVM" : threads + " threads of this JVM",
-                "plain Java, a parallel stream over the rows",
+                "plain Java, the rows spread over all threads",
                 JvmEngines::drawInParallel);
     }
 
@@ -34,24 +34,27 @@ public final class JvmEngines implements EngineProvider {
         return EngineOffer.working(id, device, description, () -> new JvmEngine(id, device, rows));
     }
 
-    private static void drawInTurn(FrameInput input, Frame frame) {
+    private static void drawInTurn(FrameInput input, FrameStop stop) {
         JvmKernel kernel = new JvmKernel();
-        for (int row = 0; row < frame.height(); row++) {
-            kernel.drawRow(input, frame, row, 0, input.width());
+        for (int row = 0; row < stop.frame().height(); row++) {
+            kernel.drawRow(input, stop, row, 0, input.width());
         }
     }
 
-    private static void drawInParallel(FrameInput input, Frame frame) {
-        RowSpread rows = new RowSpread(frame.height());
-        IntStream.range(0, frame.height())
-                .parallel()
-                .forEach(index -> new JvmKernel().drawRow(input, frame, rows.row(index), 0, input.width()));
+    private static void drawInParallel(FrameInput input, FrameStop stop) {
+        SharedRows.forEach(
+                stop.frame().height(),
+                () -> {
+                    JvmKernel kernel = new JvmKernel();
+                    return row -> kernel.drawRow(input, stop, row, 0, input.width());
+                },
+                stop);
     }
 
     /** Renders the rows of a frame in some order. */
     @FunctionalInterface
     private interface Rows {
-        void draw(FrameInput input, Frame frame);
+        void draw(FrameInput input, FrameStop stop);
     }
 
     /**
@@ -64,7 +67,9 @@ public final class JvmEngines implements EngineProvider {
         public void render(FrameInput input, Frame frame) {
             FrameFit.check(input, frame);
             long start = System.nanoTime();
-            rows.draw(input, frame);
+            FrameStop stop = FrameStop.of(frame);
+            rows.draw(input, stop);
+            stop.check();
             frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start));
         }
 

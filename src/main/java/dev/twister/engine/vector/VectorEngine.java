@@ -80,6 +80,7 @@ final class VectorEngine implements Engine {
         } catch (IllegalStateException e) {
             throw new EngineException("engine vector: " + e.getMessage(), e);
         }
+        drawing.stop.check();
         frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start));
     }
 
