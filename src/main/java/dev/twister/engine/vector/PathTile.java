@@ -39,14 +39,14 @@ final class PathTile {
         }
     }
 
-    /** Renders the tile's pixels that lie in the frame. */
+    /** Renders the tile's pixels that lie in the frame, or none of them if the frame is stopped. */
     void draw(Drawing drawing) {
         Tile tile = bench.tile;
         int variant = drawing.input.variant(drawing.frame.isLinear());
         for (JvmPath path : paths) {
             path.blacken();
         }
-        for (int sample = 0; sample < drawing.pixelSamples; sample++) {
+        for (int sample = 0; sample < drawing.pixelSamples && !drawing.stop.isAsked(); sample++) {
             start(drawing, tile, sample);
             for (int ray = 0; count >= Lanes.COUNT; ray++) {
                 findHits(drawing, tile, ray);
@@ -56,6 +56,12 @@ final class PathTile {
                 paths[alive[k]].finish(drawing.input, variant);
             }
         }
+        if (!drawing.stop.isAsked()) {
+            store(drawing, tile, variant);
+        }
+    }
+
+    private void store(Drawing drawing, Tile tile, int variant) {
         for (int pixel = 0; pixel < Tile.SIZE; pixel++) {
             if (isInside(drawing, tile, pixel)) {
                 paths[pixel].store(

@@ -87,6 +87,7 @@ final class VectorEngine implements Engine {
         } catch (IllegalStateException e) {
             throw new EngineException("engine vector: " + e.getMessage(), e);
         }
+        drawing.stop.check();
         long processor = 0;
         for (long nanos : processorNanos) {
             processor += nanos;
