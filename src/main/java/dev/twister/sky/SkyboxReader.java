@@ -81,6 +81,9 @@ public final class SkyboxReader {
     static <T> Optional<T> decodeOrdinary(
             FileBytes file, OrdinaryImageReader.Conversion<T> conversion, Consumer<String> warnings)
             throws IOException {
+        if (WebpFile.startsIn(file)) {
+            return Optional.of(WebpFile.read(file, conversion, warnings));
+        }
         for (OrdinaryImageFormat format : OrdinaryImageFormat.values()) {
             if (format.startsIn(file)) {
                 return Optional.of(OrdinaryImageReader.read(file, format, conversion, warnings));
