@@ -18,6 +18,7 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
 
@@ -109,12 +110,10 @@ class WebpContainerTest {
 
     /** A folder of many files, each NAME.webp beside its red, green, blue and alpha, NAME.rgba. */
     @Tag("slow")
+    @EnabledIfSystemProperty(named = "twister.images", matches = ".+")
     @Test
     void hasTheTexelsOfLibwebpInManyFiles() throws IOException {
-        String folder = System.getProperty("twister.images", "");
-        if (folder.isEmpty()) {
-            return;
-        }
+        String folder = System.getProperty("twister.images");
         try (Stream<Path> files = Files.list(Path.of(folder))) {
             List<Path> webps =
                     files.filter(file -> file.toString().endsWith(".webp")).toList();
