@@ -59,13 +59,13 @@ final class B44Decoder {
 
     private static void unpack(byte[] packed, int from, boolean flat, short[] block) {
         int[] ordered = new int[block.length];
-        ordered[0] = (packed[from] & 0xff) << Byte.SIZE | packed[from + 1] & 0xff;
+        ordered[0] = (packed[from] & 0xff) << Byte.SIZE | (packed[from + 1] & 0xff);
         int shift = (packed[from + 2] & 0xff) >> 2;
         for (int step = 0; step < block.length - 1; step++) {
             boolean down = step < SIDE - 1;
             int to = down ? SIDE * (step + 1) : (step + 1) % SIDE * SIDE + (step + 1) / SIDE;
             int base = ordered[down ? to - SIDE : to - 1];
-            ordered[to] = flat ? base : base + (bits(packed, from, 22 + STEP_BITS * step) - 32 << shift);
+            ordered[to] = flat ? base : base + ((bits(packed, from, 22 + STEP_BITS * step) - 32) << shift);
         }
         for (int i = 0; i < block.length; i++) {
             // Negative numbers are ordered below positive ones.
@@ -76,7 +76,7 @@ final class B44Decoder {
     private static int bits(byte[] packed, int from, int bit) {
         int at = from + bit / Byte.SIZE;
         int two = (packed[at] & 0xff) << Byte.SIZE | (at + 1 < packed.length ? packed[at + 1] & 0xff : 0);
-        return two >> 2 * Byte.SIZE - STEP_BITS - bit % Byte.SIZE & (1 << STEP_BITS) - 1;
+        return two >> (2 * Byte.SIZE - STEP_BITS - bit % Byte.SIZE) & (1 << STEP_BITS) - 1;
     }
 
     private static short linear(short logarithm) {

@@ -90,7 +90,7 @@ final class ExrChunkDecoder {
                 for (int x = 0; x < width; x++) {
                     int difference = 0;
                     for (int plane = 0; plane < bytes; plane++) {
-                        difference = difference << Byte.SIZE | planes[from + plane * width + x] & 0xff;
+                        difference = difference << Byte.SIZE | (planes[from + plane * width + x] & 0xff);
                     }
                     value += difference;
                     switch (channel.format()) {

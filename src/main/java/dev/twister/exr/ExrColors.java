@@ -28,9 +28,9 @@ public final class ExrColors {
             for (List<String> colors : COLORS) {
                 List<String> found = colors.stream()
                         .flatMap(color -> names.stream()
-                                .filter(other -> other.toLowerCase(Locale.ROOT)
-                                                .equals((layer + color).toLowerCase(Locale.ROOT))
-                                        && layer(other).equals(layer))
+                                .filter(other ->
+                                        other.toLowerCase(Locale.ROOT).equals((layer + color).toLowerCase(Locale.ROOT))
+                                                && layer(other).equals(layer))
                                 .limit(1))
                         .toList();
                 if (found.size() == colors.size() && !layers.contains(found)) {
@@ -59,8 +59,8 @@ public final class ExrColors {
         if (layer.length() <= 1) {
             return 0;
         }
-        String[] words = layer.toLowerCase(Locale.ROOT).split("\\.");
-        int picture = PICTURES.indexOf(words[words.length - 1]);
+        String name = layer.substring(0, layer.length() - 1).toLowerCase(Locale.ROOT);
+        int picture = PICTURES.indexOf(name.substring(name.lastIndexOf('.') + 1));
         return picture < 0 ? PICTURES.size() + 1 : picture + 1;
     }
 }

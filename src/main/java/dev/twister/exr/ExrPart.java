@@ -61,7 +61,8 @@ record ExrPart(
         if (type.startsWith("deep")) {
             throw new IOException("holds deep pixels, which are not read");
         }
-        ExrCompression compression = compression(attribute(attributes, "compression").get());
+        ExrCompression compression =
+                compression(attribute(attributes, "compression").get());
         Optional<Box> tile = Optional.empty();
         if (type.equals("tiledimage")) {
             ByteBuffer tiles = attribute(attributes, "tiles");
@@ -100,15 +101,18 @@ record ExrPart(
 
     private static List<Channel> channels(ByteBuffer list) throws IOException, DataFormatException {
         List<Channel> channels = new ArrayList<>();
+        ExrFormat[] formats = ExrFormat.values();
         for (String name = text(list); !name.isEmpty(); name = text(list)) {
             int format = list.getInt();
-            check(format >= 0 && format < ExrFormat.values().length);
+            check(format >= 0 && format < formats.length);
             boolean perceptual = list.get() != 0;
             list.position(list.position() + 3);
-            if (list.getInt() != 1 || list.getInt() != 1) {
+            int across = list.getInt();
+            int down = list.getInt();
+            if (across != 1 || down != 1) {
                 throw new IOException("has fewer values than pixels in channel " + name + ", which is not read");
             }
-            channels.add(new Channel(name, ExrFormat.values()[format], perceptual));
+            channels.add(new Channel(name, formats[format], perceptual));
         }
         check(!channels.isEmpty());
         return channels;
@@ -128,8 +132,7 @@ record ExrPart(
     }
 
     static Optional<String> text(Map<String, byte[]> attributes, String name) {
-        return Optional.ofNullable(attributes.get(name))
-                .map(value -> new String(value, StandardCharsets.UTF_8));
+        return Optional.ofNullable(attributes.get(name)).map(value -> new String(value, StandardCharsets.UTF_8));
     }
 
     private static void check(boolean right) throws DataFormatException {
@@ -145,7 +148,8 @@ record ExrPart(
 
     /** Chunks of the pixels, without smaller copies of a tiled picture. */
     long chunks() {
-        return tile.map(box -> (long) Math.ceilDiv(data.width(), box.width()) * Math.ceilDiv(data.height(), box.height()))
+        return tile.map(box ->
+                        (long) Math.ceilDiv(data.width(), box.width()) * Math.ceilDiv(data.height(), box.height()))
                 .orElse((long) Math.ceilDiv(data.height(), compression.rows()));
     }
 }

@@ -16,8 +16,8 @@ import java.util.zip.DataFormatException;
 
 /**
  * An OpenEXR file of any program: rows or tiles in any order, half, float and integer channels, all compressions except
- * DWA; of several parts the first. Memory is bounded by the file's length. Messages of {@link IOException} continue
- * the file's name; a {@link DataFormatException} means damage, an {@link EOFException} that the file is not whole.
+ * DWA; of several parts the first. Memory is bounded by the file's length. Messages of {@link IOException} continue the
+ * file's name; a {@link DataFormatException} means damage, an {@link EOFException} that the file is not whole.
  */
 public final class OpenExrFile {
     private static final int MAGIC = 20_000_630;
@@ -181,8 +181,9 @@ public final class OpenExrFile {
      * @return for each {@code width() * rows()} values, row by row from the top; 0 where none are stored
      */
     public List<float[]> read(List<String> names) throws IOException, DataFormatException {
-        List<float[]> values =
-                names.stream().map(_ -> new float[Math.multiplyExact(width(), rows())]).toList();
+        List<float[]> values = names.stream()
+                .map(_ -> new float[Math.multiplyExact(width(), rows())])
+                .toList();
         long chunks = part.chunks();
         long left = file.length();
         for (long chunk = 0; chunk < chunks; chunk++) {
@@ -232,13 +233,12 @@ public final class OpenExrFile {
         long left = data.left() + (long) header.getInt() * tile.width();
         long top = data.top() + (long) header.getInt() * tile.height();
         // The first level of detail.
-        check(header.getInt() == 0 && header.getInt() == 0);
+        int across = header.getInt();
+        int down = header.getInt();
+        check(across == 0 && down == 0);
         check(left >= data.left() && left < data.right() && top >= data.top() && top < data.bottom());
-        return new Box(
-                (int) left,
-                (int) top,
-                (int) Math.min(tile.width(), data.right() - left),
-                (int) Math.min(tile.height(), data.bottom() - top));
+        return new Box((int) left, (int) top, (int) Math.min(tile.width(), data.right() - left), (int)
+                Math.min(tile.height(), data.bottom() - top));
     }
 
     /** Copies a channel of a chunk, which has the channels of each row one after the other. */

@@ -39,7 +39,7 @@ final class PizHuffman {
         for (int length = LONGEST; length > 0; length--) {
             firstCode[length] = code;
             ExrChunkDecoder.check(code + counts[length] <= 1L << length);
-            code = code + counts[length] >> 1;
+            code = (code + counts[length]) >> 1;
         }
         for (int length = 1; length <= LONGEST; length++) {
             firstIndex[length] = index;
@@ -63,9 +63,9 @@ final class PizHuffman {
     private void fillLookup() {
         for (int length = 1; length <= LOOKUP_BITS; length++) {
             for (int i = 0; i < counts[length]; i++) {
-                int from = (int) (firstCode[length] + i) << LOOKUP_BITS - length;
+                int from = (int) (firstCode[length] + i) << (LOOKUP_BITS - length);
                 int entry = sorted[firstIndex[length] + i] << LENGTH_BITS | length;
-                Arrays.fill(lookup, from, from + (1 << LOOKUP_BITS - length), entry);
+                Arrays.fill(lookup, from, from + (1 << (LOOKUP_BITS - length)), entry);
             }
         }
     }
@@ -115,7 +115,7 @@ final class PizHuffman {
         for (int i = at; i < at + 3; i++) {
             three = three << Byte.SIZE | (i < data.length ? data[i] & 0xff : 0);
         }
-        return three >> 3 * Byte.SIZE - count - (int) (position % Byte.SIZE) & (1 << count) - 1;
+        return three >> (3 * Byte.SIZE - count - (int) (position % Byte.SIZE)) & (1 << count) - 1;
     }
 
     private void decode(int runSymbol, short[] values) throws DataFormatException {

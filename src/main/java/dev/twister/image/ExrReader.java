@@ -84,7 +84,9 @@ public final class ExrReader {
         ExrExtent extent = extent(exr);
         List<String> stored = exr.channels();
         List<String> colors = ExrColors.of(stored);
-        boolean renamed = !colors.isEmpty() && !stored.containsAll(COLORS) && provenance(exr).isEmpty();
+        boolean renamed = !colors.isEmpty()
+                && !stored.containsAll(COLORS)
+                && provenance(exr).isEmpty();
         List<String> names = renamed ? COLORS : stored;
         List<float[]> values = exr.read(renamed ? colors : stored);
         List<ExrChannel> channels = new ArrayList<>();
@@ -103,6 +105,8 @@ public final class ExrReader {
     private static Optional<Provenance> provenance(OpenExrFile exr) {
         return exr.text(Provenance.NAME.toLowerCase(Locale.ROOT))
                 .flatMap(text -> Provenance.of(
-                        exr.text(Provenance.SOFTWARE.toLowerCase(Locale.ROOT)).orElse(""), text));
+                        exr.text(Provenance.SOFTWARE.toLowerCase(Locale.ROOT)).orElse(""), text))
+                .map(made -> made.withDisplay(
+                        exr.text(DisplaySettings.NAME.toLowerCase(Locale.ROOT)).flatMap(DisplaySettings::of)));
     }
 }

@@ -34,8 +34,8 @@ public final class SkyboxReader {
 
     /**
      * Reads a panorama of at most 16384 x 8192 texels from a file of at most 1 GiB. Radiance and OpenEXR pictures keep
-     * radiance above 1. PNG, JPEG and WebP are made linear, 0 to 1, by what they say of their colors, as sRGB where they say
-     * nothing, over black where they are transparent, and turned upright by their EXIF orientation.
+     * radiance above 1. PNG, JPEG and WebP are made linear, 0 to 1, by what they say of their colors, as sRGB where
+     * they say nothing, over black where they are transparent, and turned upright by their EXIF orientation.
      *
      * @param file a file of the default file system
      * @param warnings told of what the file says and is not used; one line each that names the file

@@ -11,8 +11,7 @@ public final class TextureReader {
 
     /**
      * Reads a texture as {@link SkyboxReader#read(Path, Consumer)} reads panoramas, with the same limits, but keeps its
-     * opacity apart. Radiance and OpenEXR pictures are refused:
-     * what a color is multiplied by is at most 1.
+     * opacity apart. Radiance and OpenEXR pictures are refused: what a color is multiplied by is at most 1.
      *
      * @param file a file of the default file system
      * @param warnings told of what the file says and is not used; one line each that names the file

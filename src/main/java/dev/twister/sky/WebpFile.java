@@ -33,8 +33,7 @@ final class WebpFile {
     static boolean startsIn(FileBytes file) throws IOException {
         return file.startsWith(START)
                 && file.length() >= KIND_AT + KIND.length()
-                && new String(file.copy(KIND_AT, KIND.length()), StandardCharsets.ISO_8859_1)
-                        .equals(KIND);
+                && new String(file.copy(KIND_AT, KIND.length()), StandardCharsets.ISO_8859_1).equals(KIND);
     }
 
     /**
@@ -68,9 +67,8 @@ final class WebpFile {
     }
 
     private static BufferedImage image(WebpImage webp) {
-        ColorModel colors = webp.hasAlpha()
-                ? ColorModel.getRGBdefault()
-                : new DirectColorModel(24, 0xff0000, 0xff00, 0xff);
+        ColorModel colors =
+                webp.hasAlpha() ? ColorModel.getRGBdefault() : new DirectColorModel(24, 0xff0000, 0xff00, 0xff);
         int[] masks = ((DirectColorModel) colors).getMasks();
         DataBufferInt texels = new DataBufferInt(webp.argb(), webp.argb().length);
         return new BufferedImage(

@@ -57,7 +57,8 @@ class TextureReaderTest {
 
             PackedImage texture = (PackedImage) TextureReader.read(Path.of(name), webp, _ -> {});
 
-            PackedImage png = (PackedImage) TextureReader.read(Path.of(name), resource("/webp/" + name + ".png"), _ -> {});
+            PackedImage png =
+                    (PackedImage) TextureReader.read(Path.of(name), resource("/webp/" + name + ".png"), _ -> {});
             assertThat(texture.isOpaque()).isFalse();
             assertThat(texture.texels()).isEqualTo(png.texels());
         }

@@ -74,7 +74,9 @@ public final class DroppedFile {
             boolean mesh = file.toString().toLowerCase(Locale.ROOT).endsWith(".gltf");
             return Optional.of(mesh ? Kind.MESH : Kind.SCENE);
         }
-        boolean panorama = text.startsWith("#?") || text.startsWith("\u0089PNG") || text.startsWith("\u00ff\u00d8")
+        boolean panorama = text.startsWith("#?")
+                || text.startsWith("\u0089PNG")
+                || text.startsWith("\u00ff\u00d8")
                 || text.startsWith("v/1\u0001");
         if (panorama) {
             return Optional.of(Kind.SKYBOX);

@@ -39,7 +39,7 @@ record ColorIndexing(int[] colors, int width, int height) implements LosslessTra
             for (int column = 0; column < width; column++) {
                 int packed = argb[row * packedWidth + (column >> packing)] >> 8;
                 int place = column & (1 << packing) - 1;
-                unpacked[row * width + column] = palette[packed >> place * bits & palette.length - 1];
+                unpacked[row * width + column] = palette[packed >> (place * bits) & palette.length - 1];
             }
         }
         return unpacked;

@@ -20,8 +20,7 @@ final class Lossless {
     private static final int MOST_CACHE_BITS = 11;
 
     /** Section 3.6.2.2: by distance code, rows up in the upper four bits, 8 minus columns in the lower. */
-    private static final int[] NEAR = Vp8Tables.numbers(
-            """
+    private static final int[] NEAR = Vp8Tables.numbers("""
             24 7 23 25 40 6 39 41 22 26 38 42 56 5 55 57 21 27 54 58 37 43 72 4 71 73 20 28 53 59 70 74 36 44 88
             69 75 52 60 3 87 89 19 29 86 90 35 45 68 76 85 91 51 61 104 2 103 105 18 30 102 106 34 46 84 92 67
             77 101 107 50 62 120 1 119 121 83 93 17 31 100 108 66 78 118 122 33 47 117 123 49 63 99 109 82 94 0
@@ -65,19 +64,18 @@ final class Lossless {
             int type = bits.read(2);
             WebpContainer.check((seen & 1 << type) == 0, "one transform twice");
             seen |= 1 << type;
-            LosslessTransform transform =
-                    switch (type) {
-                        case PREDICTOR -> {
-                            int block = bits.read(3) + 2;
-                            yield new LosslessPrediction(blocks(stored, height, block), stored, block);
-                        }
-                        case CROSS_COLOR -> {
-                            int block = bits.read(3) + 2;
-                            yield new CrossColor(blocks(stored, height, block), stored, block);
-                        }
-                        case SUBTRACT_GREEN -> LosslessTransform::addGreen;
-                        default -> new ColorIndexing(texels(bits.read(8) + 1, 1, false), stored, height);
-                    };
+            LosslessTransform transform = switch (type) {
+                case PREDICTOR -> {
+                    int block = bits.read(3) + 2;
+                    yield new LosslessPrediction(blocks(stored, height, block), stored, block);
+                }
+                case CROSS_COLOR -> {
+                    int block = bits.read(3) + 2;
+                    yield new CrossColor(blocks(stored, height, block), stored, block);
+                }
+                case SUBTRACT_GREEN -> LosslessTransform::addGreen;
+                default -> new ColorIndexing(texels(bits.read(8) + 1, 1, false), stored, height);
+            };
             if (transform instanceof ColorIndexing indexing) {
                 stored = indexing.packedWidth();
             }
@@ -96,7 +94,7 @@ final class Lossless {
     }
 
     static int blocks(int length, int blockBits) {
-        return length + (1 << blockBits) - 1 >> blockBits;
+        return (length + (1 << blockBits) - 1) >> blockBits;
     }
 
     /**
@@ -186,7 +184,7 @@ final class Lossless {
     /** Puts texels into the color cache that are not yet there. */
     private static int cache(int[] argb, int from, int to, int[] cache, int cacheBits) {
         for (int i = from; i < to; i++) {
-            cache[0x1e35a7bd * argb[i] >>> Integer.SIZE - cacheBits] = argb[i];
+            cache[(0x1e35a7bd * argb[i]) >>> (Integer.SIZE - cacheBits)] = argb[i];
         }
         return to;
     }
@@ -206,8 +204,8 @@ final class Lossless {
         if (prefix < 4) {
             return prefix + 1;
         }
-        int extra = prefix - 2 >> 1;
-        return (2 + (prefix & 1) << extra) + bits.read(extra) + 1;
+        int extra = (prefix - 2) >> 1;
+        return ((2 + (prefix & 1)) << extra) + bits.read(extra) + 1;
     }
 
     private static int distance(int code, int width) {

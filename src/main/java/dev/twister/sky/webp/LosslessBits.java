@@ -42,7 +42,7 @@ final class LosslessBits {
         int number = peek() & (1 << low) - 1;
         take(low);
         if (bits > low) {
-            number |= (peek() & (1 << bits - low) - 1) << low;
+            number |= (peek() & (1 << (bits - low)) - 1) << low;
             take(bits - low);
         }
         return number;

@@ -18,7 +18,7 @@ record LosslessPrediction(int[] modes, int width, int blockBits) implements Loss
         int perRow = Lossless.blocks(width, blockBits);
         for (int start = width; start < argb.length; start += width) {
             argb[start] = LosslessTransform.sum(argb[start], argb[start - width]);
-            int blocks = (start / width >> blockBits) * perRow;
+            int blocks = ((start / width) >> blockBits) * perRow;
             for (int column = 1; column < width; column++) {
                 int mode = modes[blocks + (column >> blockBits)] >> 8 & 15;
                 int at = start + column;

@@ -122,7 +122,7 @@ final class PrefixCode {
         for (int length = 1; length <= bits; length++) {
             code <<= 1;
             for (int i = 0; i < counts[length]; i++) {
-                int reversed = Integer.reverse(code++) >>> Integer.SIZE - length;
+                int reversed = Integer.reverse(code++) >>> (Integer.SIZE - length);
                 short entry = (short) (sorted[index++] << LENGTH_BITS | length);
                 for (int at = reversed; at < lookup.length; at += 1 << length) {
                     lookup[at] = entry;
@@ -150,13 +150,13 @@ final class PrefixCode {
         int first = 0;
         int index = 0;
         for (length = 1; length <= LONGEST; length++) {
-            code |= peeked >> length - 1 & 1;
+            code |= peeked >> (length - 1) & 1;
             if (code - first < counts[length]) {
                 bits.take(length);
                 return sorted[index + code - first];
             }
             index += counts[length];
-            first = first + counts[length] << 1;
+            first = (first + counts[length]) << 1;
             code <<= 1;
         }
         throw WebpContainer.damaged("a code of no symbol");

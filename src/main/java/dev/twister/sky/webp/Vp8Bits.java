@@ -29,18 +29,18 @@ final class Vp8Bits {
         if (spare < 0) {
             load();
         }
-        int split = range * probability >> 8;
+        int split = (range * probability) >> 8;
         int bit = 0;
         if (value >> spare > split) {
             range -= split + 1;
-            value -= split + 1 << spare;
+            value -= (split + 1) << spare;
             bit = 1;
         } else {
             range = split;
         }
         int shift = Integer.numberOfLeadingZeros(range + 1) - 24;
         if (shift > 0) {
-            range = (range + 1 << shift) - 1;
+            range = ((range + 1) << shift) - 1;
             spare -= shift;
         }
         return bit;
@@ -50,7 +50,7 @@ final class Vp8Bits {
         if (at >= end) {
             throw WebpContainer.truncated();
         }
-        value = value << Byte.SIZE | data[at++] & 0xff;
+        value = value << Byte.SIZE | (data[at++] & 0xff);
         spare += Byte.SIZE;
     }
 

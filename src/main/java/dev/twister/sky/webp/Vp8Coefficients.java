@@ -178,10 +178,10 @@ final class Vp8Coefficients {
             int b = rows[i + 1] + rows[i + 2];
             int c = rows[i + 1] - rows[i + 2];
             int d = rounded - rows[i + 3];
-            values[i * SIZE] = (short) (a + b >> 3);
-            values[(i + 1) * SIZE] = (short) (d + c >> 3);
-            values[(i + 2) * SIZE] = (short) (a - b >> 3);
-            values[(i + 3) * SIZE] = (short) (d - c >> 3);
+            values[i * SIZE] = (short) ((a + b) >> 3);
+            values[(i + 1) * SIZE] = (short) ((d + c) >> 3);
+            values[(i + 2) * SIZE] = (short) ((a - b) >> 3);
+            values[(i + 3) * SIZE] = (short) ((d - c) >> 3);
         }
     }
 }

@@ -1,6 +1,8 @@
 package dev.twister.sky.webp;
 
-/** Converts a frame to red, green and blue, by the arithmetic of libwebp, with chroma interpolated between its values. */
+/**
+ * Converts a frame to red, green and blue, by the arithmetic of libwebp, with chroma interpolated between its values.
+ */
 final class Vp8Colors {
     private static final int OPAQUE = 0xff << 24;
 
@@ -10,7 +12,7 @@ final class Vp8Colors {
         int[] argb = new int[width * height];
         int[] us = new int[width];
         int[] vs = new int[width];
-        int chromaHeight = height + 1 >> 1;
+        int chromaHeight = (height + 1) >> 1;
         for (int row = 0; row < height; row++) {
             int near = row >> 1;
             int far = Math.clamp((row & 1) == 0 ? near - 1 : near + 1, 0, chromaHeight - 1);
@@ -32,22 +34,22 @@ final class Vp8Colors {
             int beside = (column & 1) == 0 ? at - 1 : at + 1;
             int nearest = chroma.value(near + at);
             int across = chroma.value(far + at);
-            if (beside < 0 || beside > width - 1 >> 1) {
-                row[column] = 3 * nearest + across + 2 >> 2;
+            if (beside < 0 || beside > (width - 1) >> 1) {
+                row[column] = (3 * nearest + across + 2) >> 2;
             } else {
                 int nearBeside = chroma.value(near + beside);
                 int farBeside = chroma.value(far + beside);
                 int all = nearest + across + nearBeside + farBeside + 8;
-                row[column] = (all + 2 * (nearBeside + across) >> 3) + nearest >> 1;
+                row[column] = (((all + 2 * (nearBeside + across)) >> 3) + nearest) >> 1;
             }
         }
     }
 
     private static int color(int y, int u, int v) {
-        int luma = y * 19_077 >> 8;
-        int red = luma + (v * 26_149 >> 8) - 14_234;
-        int green = luma - (u * 6_419 >> 8) - (v * 13_320 >> 8) + 8_708;
-        int blue = luma + (u * 33_050 >> 8) - 17_685;
+        int luma = (y * 19_077) >> 8;
+        int red = luma + ((v * 26_149) >> 8) - 14_234;
+        int green = luma - ((u * 6_419) >> 8) - ((v * 13_320) >> 8) + 8_708;
+        int blue = luma + ((u * 33_050) >> 8) - 17_685;
         return OPAQUE | channel(red) << 16 | channel(green) << 8 | channel(blue);
     }
 

@@ -44,8 +44,8 @@ final class Vp8Frame {
         }
         width = number(data, from + 6, 2) & 0x3fff;
         height = number(data, from + 8, 2) & 0x3fff;
-        columns = width + 15 >> 4;
-        rows = height + 15 >> 4;
+        columns = (width + 15) >> 4;
+        rows = (height + 15) >> 4;
         int first = from + HEADER_BYTES;
         int rest = first + (tag >>> 5);
         if (rest > to) {
@@ -73,7 +73,7 @@ final class Vp8Frame {
     private static int number(byte[] data, int at, int bytes) {
         int number = 0;
         for (int i = 0; i < bytes; i++) {
-            number |= (data[at + i] & 0xff) << 8 * i;
+            number |= (data[at + i] & 0xff) << (8 * i);
         }
         return number;
     }

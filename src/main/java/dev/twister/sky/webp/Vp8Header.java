@@ -8,9 +8,8 @@ final class Vp8Header {
     static final int SEGMENTS = 4;
 
     /**
-     * Factors of coefficients, of the mean and of the others.
-     *
-     * @param lumaMean those of the block of luma's means
+     * Factors of coefficients: of the mean (Dc) and of the others (Ac). Those of lumaMean are for the block of luma's
+     * means.
      */
     record Factors(int lumaDc, int lumaAc, int lumaMeanDc, int lumaMeanAc, int chromaDc, int chromaAc) {}
 

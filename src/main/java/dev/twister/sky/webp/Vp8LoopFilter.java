@@ -29,8 +29,7 @@ final class Vp8LoopFilter {
     }
 
     /** Filters a plane by the normal filter. */
-    static void normal(
-            Vp8Plane plane, int column, int row, int side, Vp8Header.Strength strength, boolean inner) {
+    static void normal(Vp8Plane plane, int column, int row, int side, Vp8Header.Strength strength, boolean inner) {
         int start = plane.at(side * column, side * row);
         int limit = strength.limit();
         for (int vertical = 0; vertical < 2; vertical++) {
@@ -107,7 +106,7 @@ final class Vp8LoopFilter {
         int after = plane.value(at);
         int a = 3 * (after - before);
         int down = eighth(a + 4);
-        int outside = down + 1 >> 1;
+        int outside = (down + 1) >> 1;
         plane.set(at - 2 * step, plane.value(at - 2 * step) + outside);
         plane.set(at - step, before + eighth(a + 3));
         plane.set(at, after - down);
@@ -123,7 +122,7 @@ final class Vp8LoopFilter {
         int a = signed(3 * (plane.value(at) - plane.value(at - step))
                 + signed(plane.value(at - 2 * step) - plane.value(at + step)));
         for (int i = 1; i <= 3; i++) {
-            int change = 9 * (4 - i) * a + 63 >> 7;
+            int change = (9 * (4 - i) * a + 63) >> 7;
             plane.set(at - i * step, plane.value(at - i * step) + change);
             plane.set(at + (i - 1) * step, plane.value(at + (i - 1) * step) - change);
         }

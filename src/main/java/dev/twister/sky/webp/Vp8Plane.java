@@ -65,10 +65,10 @@ final class Vp8Plane {
             int c = sine(columns[4 + i]) - cosine(columns[12 + i]);
             int d = cosine(columns[4 + i]) + sine(columns[12 + i]);
             int at = to + i * stride;
-            set(at, value(at) + (a + d >> 3));
-            set(at + 1, value(at + 1) + (b + c >> 3));
-            set(at + 2, value(at + 2) + (b - c >> 3));
-            set(at + 3, value(at + 3) + (a - d >> 3));
+            set(at, value(at) + ((a + d) >> 3));
+            set(at + 1, value(at + 1) + ((b + c) >> 3));
+            set(at + 2, value(at + 2) + ((b - c) >> 3));
+            set(at + 3, value(at + 3) + ((a - d) >> 3));
         }
     }
 
@@ -83,11 +83,11 @@ final class Vp8Plane {
 
     /** Times the square root of 2 and the cosine of pi / 8. */
     private static int cosine(int value) {
-        return (value * 20_091 >> 16) + value;
+        return ((value * 20_091) >> 16) + value;
     }
 
     /** Times the square root of 2 and the sine of pi / 8. */
     private static int sine(int value) {
-        return value * 35_468 >> 16;
+        return (value * 35_468) >> 16;
     }
 }

@@ -146,13 +146,13 @@ final class Vp8Prediction {
 
     /** The mean of a value and its next. */
     private static int two(int[] edge, int at) {
-        return edge[at] + edge[at + 1] + 1 >> 1;
+        return (edge[at] + edge[at + 1] + 1) >> 1;
     }
 
     /** The mean of a value, twice, and its neighbors. */
     private static int three(int[] edge, int at) {
         int before = edge[Math.max(at - 1, 0)];
         int after = edge[Math.min(at + 1, edge.length - 1)];
-        return before + 2 * edge[at] + after + 2 >> 2;
+        return (before + 2 * edge[at] + after + 2) >> 2;
     }
 }

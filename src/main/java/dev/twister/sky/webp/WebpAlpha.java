@@ -32,7 +32,7 @@ final class WebpAlpha {
         }
         unfilter(alpha, width, filter);
         for (int i = 0; i < alpha.length; i++) {
-            argb[i] = argb[i] & 0xffffff | alpha[i] << 24;
+            argb[i] = (argb[i] & 0xffffff) | alpha[i] << 24;
         }
     }
 

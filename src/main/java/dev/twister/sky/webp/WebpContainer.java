@@ -153,7 +153,10 @@ public final class WebpContainer {
     private Picture picture(Chunk parent) throws IOException {
         Optional<Chunk> lossy = find(parent, "VP8 ");
         if (lossy.isPresent()) {
-            return new Picture(find(parent, "ALPH").filter(chunk -> chunk.from() < lossy.get().from()), lossy.get());
+            return new Picture(
+                    find(parent, "ALPH")
+                            .filter(chunk -> chunk.from() < lossy.get().from()),
+                    lossy.get());
         }
         return new Picture(
                 Optional.empty(), find(parent, "VP8L").orElseThrow(() -> damaged("it has no picture of VP8 or VP8L")));
@@ -165,8 +168,7 @@ public final class WebpContainer {
             check(texels.length() > Lossless.HEADER_BYTES && number(texels.from(), 1) == Lossless.SIGNATURE, "no VP8L");
             int bits = number(texels.from() + 1, 4);
             check(bits >>> 29 == 0, "an unknown version of VP8L");
-            return new WebpImage(
-                    (bits & 0x3fff) + 1, (bits >>> 14 & 0x3fff) + 1, new int[0], (bits >>> 28 & 1) == 1);
+            return new WebpImage((bits & 0x3fff) + 1, (bits >>> 14 & 0x3fff) + 1, new int[0], (bits >>> 28 & 1) == 1);
         }
         check(texels.length() > Vp8Frame.HEADER_BYTES, "a VP8 frame that is too short");
         int width = number(texels.from() + 6, 2) & 0x3fff;
@@ -201,7 +203,7 @@ public final class WebpContainer {
     private int number(int at, int bytes) {
         int number = 0;
         for (int i = 0; i < bytes; i++) {
-            number |= Byte.toUnsignedInt(file[at + i]) << 8 * i;
+            number |= Byte.toUnsignedInt(file[at + i]) << (8 * i);
         }
         return number;
     }

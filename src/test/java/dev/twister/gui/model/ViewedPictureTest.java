@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatIOException;
 import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrWriter;
-import dev.twister.image.Provenance;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.Provenance;
 import dev.twister.scene.Rgb;

@@ -43,8 +43,8 @@ class WebpContainerTest {
 
         assertThat(image.width()).isEqualTo(expected.getWidth());
         assertThat(argb(image))
-                .isEqualTo(expected.getRGB(0, 0, image.width(), image.height(), new int[image.argb().length], 0, image
-                        .width()));
+                .isEqualTo(expected.getRGB(
+                        0, 0, image.width(), image.height(), new int[image.argb().length], 0, image.width()));
     }
 
     @Test
