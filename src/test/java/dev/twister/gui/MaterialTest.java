@@ -3,10 +3,10 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.TagEdits;
 import dev.twister.gui.model.AutosaveFolder;
-import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.MaterialPreset;
-import dev.twister.gui.model.TagEdits;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.image.PngWriter;

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.model.BodyNumbers;
 import dev.twister.gui.model.CameraNumbers;
 import dev.twister.gui.model.DaylightFile;

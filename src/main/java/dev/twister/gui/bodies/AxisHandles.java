@@ -1,10 +1,10 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.Axis;
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyExtent;
 import dev.twister.gui.model.AxisHandle;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyExtent;
 import dev.twister.gui.model.Projection;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PicturePlace;

@@ -1,16 +1,16 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.controls.Problems;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyGroup;
-import dev.twister.gui.model.DroppedBodies;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyGroup;
+import dev.twister.gui.edit.DroppedBodies;
+import dev.twister.gui.edit.SelectedBodies;
+import dev.twister.gui.edit.TagEdits;
+import dev.twister.gui.edit.ThrownSpheres;
 import dev.twister.gui.model.NewLight;
 import dev.twister.gui.model.NewMesh;
 import dev.twister.gui.model.NewSphere;
 import dev.twister.gui.model.Orbit;
-import dev.twister.gui.model.SelectedBodies;
-import dev.twister.gui.model.TagEdits;
-import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Selection;
 import dev.twister.gui.studio.Studio;

@@ -2,16 +2,16 @@ package dev.twister.gui.bodies;
 
 import dev.twister.gui.camera.CameraMouse;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.Axis;
-import dev.twister.gui.model.BodyChoices;
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyNames;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.DraggedBodies;
+import dev.twister.gui.edit.TagEdits;
 import dev.twister.gui.model.BodyDrag;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.BodyPicker;
 import dev.twister.gui.model.CameraNumbers;
 import dev.twister.gui.model.FocusPoint;
-import dev.twister.gui.model.HeldBodies;
-import dev.twister.gui.model.TagEdits;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.StatusText;
@@ -44,7 +44,7 @@ public final class BodyMouse {
     private final ReadOnlyObjectWrapper<Optional<Axis>> axis = new ReadOnlyObjectWrapper<>(Optional.empty());
 
     /** The drag of the active body and of the bodies that move with it. */
-    private record Held(BodyDrag drag, HeldBodies bodies, Optional<SurfaceRest> rest) {}
+    private record Held(BodyDrag drag, DraggedBodies bodies, Optional<SurfaceRest> rest) {}
 
     /** The pointer of the drag, in pixels of the view. */
     private Point2D draggedTo = Point2D.ZERO;
@@ -127,8 +127,8 @@ public final class BodyMouse {
     /** Starts a drag of the selected bodies. */
     private void take(MouseEvent event) {
         DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
-        HeldBodies bodies =
-                new HeldBodies(studio.bodies().scene(), studio.selection().bodies());
+        DraggedBodies bodies =
+                new DraggedBodies(studio.bodies().scene(), studio.selection().bodies());
         Point2D place = place(event);
         draggedTo = new Point2D(event.getX(), event.getY());
         held = Optional.of(new Held(
@@ -258,7 +258,7 @@ public final class BodyMouse {
     private boolean isUnlocked(int body) {
         boolean locked = TagEdits.of(studio.scene(), body).locked();
         if (locked) {
-            studio.notice(BodyChoices.title(studio.scene(), body) + " is locked; select it in the list of bodies");
+            studio.notice(BodyNames.title(studio.scene(), body) + " is locked; select it in the list of bodies");
         }
         return !locked;
     }

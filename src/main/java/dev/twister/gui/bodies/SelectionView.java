@@ -1,12 +1,12 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.Axis;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.model.MeshOutline;
 import dev.twister.gui.model.Projection;
-import dev.twister.gui.model.SelectedBodies;
 import dev.twister.gui.model.SphereOutline;
 import dev.twister.gui.picture.PicturePlace;
 import dev.twister.gui.picture.PictureView;

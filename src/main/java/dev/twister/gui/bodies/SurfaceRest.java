@@ -1,9 +1,9 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.model.RestingBody;
-import dev.twister.gui.model.SelectedBodies;
 import dev.twister.gui.model.SurfacePoint;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Vector3;

@@ -1,10 +1,10 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.Axis;
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyTransform.Mode;
 import dev.twister.gui.model.AxisHandle;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyTransform.Mode;
 import dev.twister.gui.model.Projection;
 import dev.twister.gui.model.RotationRing;
 import dev.twister.gui.picture.PicturePlace;

@@ -6,7 +6,7 @@ import dev.twister.gui.controls.DropDownKeys;
 import dev.twister.gui.controls.Ids;
 import dev.twister.gui.controls.StillCaret;
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.model.KeyframeEdits;
+import dev.twister.gui.edit.KeyframeEdits;
 import dev.twister.gui.studio.Film;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.CameraKeyframe;

@@ -1,10 +1,10 @@
 package dev.twister.gui.camera;
 
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.model.KeyMark;
-import dev.twister.gui.model.KeyframeEdits;
-import dev.twister.gui.model.TrackEdits;
-import dev.twister.gui.model.TrackTitles;
+import dev.twister.gui.edit.KeyMark;
+import dev.twister.gui.edit.KeyframeEdits;
+import dev.twister.gui.edit.TrackEdits;
+import dev.twister.gui.edit.TrackTitles;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Easing;
 import dev.twister.scene.Keyframe;

@@ -1,7 +1,7 @@
 package dev.twister.gui.camera;
 
 import dev.twister.gui.controls.Ids;
-import dev.twister.gui.model.TrackTitles;
+import dev.twister.gui.edit.TrackTitles;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.AnimatedProperty;
 import dev.twister.scene.TrackTarget;

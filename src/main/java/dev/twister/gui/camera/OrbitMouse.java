@@ -1,6 +1,6 @@
 package dev.twister.gui.camera;
 
-import dev.twister.gui.model.BodyExtent;
+import dev.twister.gui.edit.BodyExtent;
 import dev.twister.gui.model.FocusPoint;
 import dev.twister.gui.model.Orbit;
 import dev.twister.gui.picture.PictureView;

@@ -1,6 +1,6 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;

@@ -2,7 +2,7 @@ package dev.twister.gui.files;
 
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Problems;
-import dev.twister.gui.model.BodyExtent;
+import dev.twister.gui.edit.BodyExtent;
 import dev.twister.gui.model.NewMesh;
 import dev.twister.gui.studio.Document;
 import dev.twister.gui.studio.Studio;

@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.gui.edit.Axis;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.gui.edit.Axis;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;

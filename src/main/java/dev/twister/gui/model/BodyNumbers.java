@@ -1,5 +1,7 @@
 package dev.twister.gui.model;
 
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.model.NumberScale.Spread;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;

@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.gui.edit.BodyEdits;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;

@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.gui.edit.Axis;
 import dev.twister.gui.model.NumberScale.Spread;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Range;

@@ -1,5 +1,8 @@
 package dev.twister.gui.model;
 
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.BodyExtent;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;

@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.gui.edit.BodyMaterials;
 import dev.twister.gui.model.NumberScale.Spread;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Material;

@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.gui.edit.BodyExtent;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;

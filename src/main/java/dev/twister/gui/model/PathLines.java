@@ -4,6 +4,7 @@ import dev.twister.explain.LightSample;
 import dev.twister.explain.PathStep;
 import dev.twister.explain.PixelPath;
 import dev.twister.explain.ShadedSurface;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;

@@ -1,5 +1,7 @@
 package dev.twister.gui.model;
 
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyExtent;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;

@@ -1,5 +1,7 @@
 package dev.twister.gui.model;
 
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.BodyTransform;
 import dev.twister.gui.model.AxisHandle.Point;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;

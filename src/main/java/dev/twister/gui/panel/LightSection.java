@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.model.LightNumbers;
 import dev.twister.gui.model.Radiance;
 import dev.twister.gui.studio.Studio;

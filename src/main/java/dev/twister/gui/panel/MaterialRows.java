@@ -1,16 +1,16 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.BodyNames;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.SelectedBodies;
+import dev.twister.gui.edit.SharedMaterial;
 import dev.twister.gui.files.AssetActions;
 import dev.twister.gui.files.FileNames;
-import dev.twister.gui.model.BodyChoices;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyMaterials;
-import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.MaterialNumbers;
 import dev.twister.gui.model.MaterialPreset;
-import dev.twister.gui.model.SelectedBodies;
-import dev.twister.gui.model.SharedMaterial;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Material;
@@ -108,7 +108,7 @@ final class MaterialRows {
 
     /** Text that names the material and the bodies that share it. */
     String hint() {
-        return (body == BodyNumber.PLANE ? "The plane" : BodyChoices.title(studio.scene(), body))
+        return (body == BodyNumber.PLANE ? "The plane" : BodyNames.title(studio.scene(), body))
                 + shared.map(named -> " has the material \"" + named.name() + "\", "
                                 + (named.bodies().size() == 1
                                         ? "alone."

@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.studio.Studio;
 import java.util.List;

@@ -3,7 +3,7 @@ package dev.twister.gui.panel;
 import dev.twister.gui.controls.Ids;
 import dev.twister.gui.controls.StillCaret;
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.model.ViewEdits;
+import dev.twister.gui.edit.ViewEdits;
 import dev.twister.gui.studio.CameraHand;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.CameraView;

@@ -1,6 +1,6 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.model.ViewEdits;
+import dev.twister.gui.edit.ViewEdits;
 import dev.twister.scene.CameraView;
 import dev.twister.scene.SceneLimits;
 import dev.twister.world.CameraMotion;

@@ -1,9 +1,9 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.model.CameraRig;
-import dev.twister.gui.model.EditState;
+import dev.twister.gui.edit.CameraRig;
+import dev.twister.gui.edit.EditState;
+import dev.twister.gui.edit.SceneHistory;
 import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.SceneHistory;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.world.CameraMotion;

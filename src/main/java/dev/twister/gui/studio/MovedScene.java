@@ -2,7 +2,7 @@ package dev.twister.gui.studio;
 
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.Motion;
-import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.physics.SameSpheres;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;

@@ -1,7 +1,7 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.physics.SameSpheres;
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;

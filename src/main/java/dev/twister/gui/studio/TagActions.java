@@ -1,6 +1,6 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.model.TagEdits;
+import dev.twister.gui.edit.TagEdits;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Tag;
 import java.util.Collection;

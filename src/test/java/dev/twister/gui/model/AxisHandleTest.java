@@ -3,6 +3,8 @@ package dev.twister.gui.model;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.Scenes;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import java.util.List;

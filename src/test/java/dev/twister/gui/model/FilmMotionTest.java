@@ -2,6 +2,7 @@ package dev.twister.gui.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.gui.edit.Scenes;
 import dev.twister.render.FrameRange;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;

@@ -3,6 +3,9 @@ package dev.twister.gui.model;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.gui.edit.BodyExtent;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.Scenes;
 import dev.twister.scene.Body;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;

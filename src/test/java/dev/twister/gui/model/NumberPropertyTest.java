@@ -3,6 +3,7 @@ package dev.twister.gui.model;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.gui.edit.Scenes;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import java.util.stream.Stream;

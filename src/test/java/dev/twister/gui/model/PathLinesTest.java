@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.explain.PixelPath;
+import dev.twister.gui.edit.Scenes;
 import dev.twister.gui.model.PathLines.Kind;
 import dev.twister.gui.model.PathLines.Line;
 import java.util.List;

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.JvmEngines;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.Scenes;
 import dev.twister.image.Frame;
 import dev.twister.scene.Rgb;
 import dev.twister.world.FrameInput;

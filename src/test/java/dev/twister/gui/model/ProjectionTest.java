@@ -3,6 +3,7 @@ package dev.twister.gui.model;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.gui.edit.Scenes;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 import org.junit.jupiter.api.Test;

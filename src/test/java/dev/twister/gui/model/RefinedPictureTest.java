@@ -7,6 +7,8 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
+import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.Scenes;
 import dev.twister.image.Frame;
 import dev.twister.kernel.Layout;
 import dev.twister.oracle.Pictures;

@@ -2,6 +2,8 @@ package dev.twister.gui.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.Scenes;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;

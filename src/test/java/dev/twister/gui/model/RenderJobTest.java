@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.EngineOffer;
+import dev.twister.gui.edit.Scenes;
 import dev.twister.render.FrameRange;
 import dev.twister.render.RenderOrder;
 import dev.twister.scene.Scene;

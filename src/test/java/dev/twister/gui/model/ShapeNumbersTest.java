@@ -2,6 +2,8 @@ package dev.twister.gui.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.Scenes;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Shape;

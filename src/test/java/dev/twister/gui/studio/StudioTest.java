@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.WindowScenes;
 import dev.twister.gui.drawing.DrawingRequest;
-import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.model.RefinementGoal;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
