@@ -14,7 +14,7 @@ import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.model.CameraNumbers;
-import dev.twister.gui.model.SphereOutline;
+import dev.twister.gui.picking.SphereOutline;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.OpenedScene;

@@ -1,7 +1,7 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.BoxChoice;
+import dev.twister.gui.picking.SelectionBox;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.Studio;
 import java.util.ArrayList;
@@ -103,7 +103,7 @@ public final class BoxSelection extends Pane {
         Point2D end = view.place().toPicture(to.getX(), to.getY());
         List<Integer> chosen =
                 new ArrayList<>(more ? studio.selection().bodies().bodies() : List.of());
-        chosen.addAll(BoxChoice.between(start.getX(), start.getY(), end.getX(), end.getY())
+        chosen.addAll(SelectionBox.between(start.getX(), start.getY(), end.getX(), end.getY())
                 .bodies(
                         studio.scene(),
                         picture.input(),

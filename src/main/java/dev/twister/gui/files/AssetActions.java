@@ -3,7 +3,7 @@ package dev.twister.gui.files;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Problems;
 import dev.twister.gui.edit.BodyExtent;
-import dev.twister.gui.model.NewMesh;
+import dev.twister.gui.picking.NewMesh;
 import dev.twister.gui.studio.Document;
 import dev.twister.gui.studio.Studio;
 import dev.twister.mesh.Box;

@@ -2,6 +2,7 @@ package dev.twister.gui.model;
 
 import dev.twister.engine.JvmKernel;
 import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.picking.PointerRay;
 import dev.twister.image.Frame;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;

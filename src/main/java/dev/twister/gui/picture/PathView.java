@@ -4,7 +4,7 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.PathLines;
 import dev.twister.gui.model.PathLines.Kind;
 import dev.twister.gui.model.PathLines.Line;
-import dev.twister.gui.model.Projection;
+import dev.twister.gui.picking.Projection;
 import dev.twister.gui.studio.Studio;
 import java.util.List;
 import javafx.geometry.Point2D;

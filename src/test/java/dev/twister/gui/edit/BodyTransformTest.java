@@ -3,8 +3,8 @@ package dev.twister.gui.edit;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.twister.gui.model.BoxChoice;
 import dev.twister.gui.model.FrameOutline;
+import dev.twister.gui.picking.SelectionBox;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
@@ -82,7 +82,7 @@ class BodyTransformTest {
 
     @Test
     void aBoxSelectsWhatHasItsMiddleInIt() {
-        List<Integer> inside = BoxChoice.between(
+        List<Integer> inside = SelectionBox.between(
                         Scenes.WIDTH / 2.0 + 5,
                         Scenes.HEIGHT / 2.0 + 5,
                         Scenes.WIDTH / 2.0 - 5,

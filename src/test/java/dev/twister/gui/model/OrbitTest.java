@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.edit.Scenes;
+import dev.twister.gui.picking.Projection;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Vector3;
 import org.junit.jupiter.api.Test;

@@ -1,4 +1,4 @@
-package dev.twister.gui.model;
+package dev.twister.gui.picking;
 
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.scene.Scene;
@@ -15,10 +15,10 @@ import java.util.function.Function;
  * @param right in pixels, at least the left
  * @param bottom in pixels, at least the top
  */
-public record BoxChoice(double left, double top, double right, double bottom) {
+public record SelectionBox(double left, double top, double right, double bottom) {
     /** The box between two corners. */
-    public static BoxChoice between(double x, double y, double otherX, double otherY) {
-        return new BoxChoice(Math.min(x, otherX), Math.min(y, otherY), Math.max(x, otherX), Math.max(y, otherY));
+    public static SelectionBox between(double x, double y, double otherX, double otherY) {
+        return new SelectionBox(Math.min(x, otherX), Math.min(y, otherY), Math.max(x, otherX), Math.max(y, otherY));
     }
 
     /**

@@ -1,4 +1,4 @@
-package dev.twister.gui.model;
+package dev.twister.gui.picking;
 
 import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Hit;
@@ -17,7 +17,7 @@ import java.util.function.IntPredicate;
  * @param bodies those of the picture
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
-record PointerRay(float[] path, int body, Bodies bodies) {
+public record PointerRay(float[] path, int body, Bodies bodies) {
     /** Surfaces of bodies that are passed. */
     private static final int MOST_PASSED = 256;
 
@@ -25,7 +25,7 @@ record PointerRay(float[] path, int body, Bodies bodies) {
     private static final float BEHIND = 1e-5f;
 
     /** The ray through x and y, in pixels from the picture's upper left corner. */
-    static PointerRay through(FrameInput input, double x, double y) {
+    public static PointerRay through(FrameInput input, double x, double y) {
         float[] path = new float[Layout.PATH_LENGTH];
         CameraRay.start(path, (float) x, (float) y, input.view().frame());
         return new PointerRay(path, hit(path, input), input.bodies());
@@ -71,7 +71,7 @@ record PointerRay(float[] path, int body, Bodies bodies) {
     }
 
     /** Meters to what it meets. */
-    double distance() {
+    public double distance() {
         return path[Layout.DISTANCE];
     }
 

@@ -1,4 +1,4 @@
-package dev.twister.gui.model;
+package dev.twister.gui.picking;
 
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Vector3;

@@ -1,8 +1,8 @@
-package dev.twister.gui.model;
+package dev.twister.gui.picking;
 
 import dev.twister.gui.edit.Axis;
 import dev.twister.gui.edit.BodyTransform;
-import dev.twister.gui.model.AxisHandle.Point;
+import dev.twister.gui.picking.AxisHandle.Point;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 import java.util.ArrayList;
