@@ -1,6 +1,6 @@
 package dev.twister.gui.camera;
 
-import dev.twister.gui.model.CameraNumbers;
+import dev.twister.gui.property.CameraNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.world.CameraMotion;
 import java.util.Locale;

@@ -1,6 +1,6 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.gui.model.DaylightFile;
+import dev.twister.gui.property.DaylightFile;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.SkyException;

@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.gui.property.Radiance;
 import java.util.Arrays;
 import java.util.List;
 

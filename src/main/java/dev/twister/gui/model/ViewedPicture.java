@@ -3,6 +3,7 @@ package dev.twister.gui.model;
 import dev.twister.denoise.NoisyPicture;
 import dev.twister.denoise.NoisyPicture.Guides;
 import dev.twister.denoise.Plane;
+import dev.twister.gui.property.Radiance;
 import dev.twister.image.ExrExtent;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;

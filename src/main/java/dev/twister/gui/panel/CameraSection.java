@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.model.CameraNumbers;
 import dev.twister.gui.panel.ChoiceRow.Look;
+import dev.twister.gui.property.CameraNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.world.CameraMotion;
 import java.util.List;

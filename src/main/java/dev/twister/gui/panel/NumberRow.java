@@ -2,8 +2,8 @@ package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.StillCaret;
-import dev.twister.gui.model.NumberProperty;
-import dev.twister.gui.model.NumberScale;
+import dev.twister.gui.property.NumberProperty;
+import dev.twister.gui.property.NumberScale;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import java.util.List;

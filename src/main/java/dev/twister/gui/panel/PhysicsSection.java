@@ -5,7 +5,7 @@ import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Ids;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.drawing.Motion;
-import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.property.SceneNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import java.util.List;

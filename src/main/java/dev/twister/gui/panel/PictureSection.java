@@ -1,8 +1,8 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Command;
-import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.panel.ChoiceRow.Look;
+import dev.twister.gui.property.SceneNumbers;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Integrator;

@@ -6,7 +6,7 @@ import dev.twister.gui.edit.BodyNames;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.edit.TagEdits;
-import dev.twister.gui.model.BodyNumbers;
+import dev.twister.gui.property.BodyNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
 import dev.twister.scene.Scene;

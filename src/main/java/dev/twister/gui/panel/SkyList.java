@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.model.DaylightFile;
 import dev.twister.gui.model.DroppedFile;
+import dev.twister.gui.property.DaylightFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

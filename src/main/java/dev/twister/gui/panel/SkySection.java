@@ -2,10 +2,10 @@ package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.AssetActions;
-import dev.twister.gui.model.DaylightFile;
-import dev.twister.gui.model.DaylightNumbers;
-import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.panel.ChoiceRow.Look;
+import dev.twister.gui.property.DaylightFile;
+import dev.twister.gui.property.DaylightNumbers;
+import dev.twister.gui.property.SceneNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import java.nio.file.Path;

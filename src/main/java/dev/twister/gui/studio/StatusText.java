@@ -2,8 +2,8 @@ package dev.twister.gui.studio;
 
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.CameraNumbers;
 import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.property.CameraNumbers;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;

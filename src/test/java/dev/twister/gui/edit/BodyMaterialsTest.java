@@ -2,9 +2,9 @@ package dev.twister.gui.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.model.MaterialNumbers;
-import dev.twister.gui.model.MaterialPreset;
-import dev.twister.gui.model.NumberProperty;
+import dev.twister.gui.property.MaterialNumbers;
+import dev.twister.gui.property.MaterialPreset;
+import dev.twister.gui.property.NumberProperty;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;

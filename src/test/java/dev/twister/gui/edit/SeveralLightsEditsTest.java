@@ -2,9 +2,9 @@ package dev.twister.gui.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.model.LightNumbers;
-import dev.twister.gui.model.NumberProperty;
 import dev.twister.gui.picking.BodyPicker;
+import dev.twister.gui.property.LightNumbers;
+import dev.twister.gui.property.NumberProperty;
 import dev.twister.mesh.MeshFile;
 import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Light;

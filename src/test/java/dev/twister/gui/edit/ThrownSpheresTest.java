@@ -2,7 +2,7 @@ package dev.twister.gui.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.model.BodyNumbers;
+import dev.twister.gui.property.BodyNumbers;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;

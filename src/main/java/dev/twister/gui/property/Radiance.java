@@ -1,4 +1,4 @@
-package dev.twister.gui.model;
+package dev.twister.gui.property;
 
 import dev.twister.scene.Rgb;
 

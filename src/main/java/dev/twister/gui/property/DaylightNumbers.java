@@ -1,6 +1,6 @@
-package dev.twister.gui.model;
+package dev.twister.gui.property;
 
-import dev.twister.gui.model.NumberScale.Spread;
+import dev.twister.gui.property.NumberScale.Spread;
 import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
 import dev.twister.sky.Daylight;

@@ -1,7 +1,7 @@
-package dev.twister.gui.model;
+package dev.twister.gui.property;
 
 import dev.twister.gui.edit.Axis;
-import dev.twister.gui.model.NumberScale.Spread;
+import dev.twister.gui.property.NumberScale.Spread;
 import dev.twister.scene.Light;
 import dev.twister.scene.Range;
 import dev.twister.scene.Scene;

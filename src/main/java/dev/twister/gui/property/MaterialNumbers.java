@@ -1,7 +1,7 @@
-package dev.twister.gui.model;
+package dev.twister.gui.property;
 
 import dev.twister.gui.edit.BodyMaterials;
-import dev.twister.gui.model.NumberScale.Spread;
+import dev.twister.gui.property.NumberScale.Spread;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Material;
 import dev.twister.scene.Range;

@@ -1,8 +1,8 @@
-package dev.twister.gui.model;
+package dev.twister.gui.property;
 
 import dev.twister.gui.edit.Axis;
 import dev.twister.gui.edit.BodyEdits;
-import dev.twister.gui.model.NumberScale.Spread;
+import dev.twister.gui.property.NumberScale.Spread;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Range;
