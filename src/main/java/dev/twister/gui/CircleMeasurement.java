@@ -4,7 +4,7 @@ import dev.twister.bench.Statistics;
 import dev.twister.bench.WindowRates;
 import dev.twister.engine.auto.FastestEngine;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.ResolutionMode;
+import dev.twister.gui.drawing.ResolutionMode;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Sphere;

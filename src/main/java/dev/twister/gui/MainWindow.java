@@ -39,7 +39,7 @@ public final class MainWindow implements AutoCloseable {
     private final PictureView picture;
     private final FrameTimesView frameTimes;
     private final StatusLine status;
-    private final HeapKeeper heap = new HeapKeeper();
+    private final HeapMonitor heap = new HeapMonitor();
     private final Reading reading = new Reading();
     private final Workbench workbench;
     private final Pulses pulses;

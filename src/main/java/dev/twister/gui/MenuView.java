@@ -6,14 +6,13 @@ import dev.twister.gui.controls.Command.Group;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Ids;
 import dev.twister.gui.drawing.Motion;
+import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.EditState;
 import dev.twister.gui.edit.TagEdits;
 import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.SettingsKeeper;
-import dev.twister.gui.model.Mnemonics;
-import dev.twister.gui.model.ShownPictures;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Shape;
 import dev.twister.world.Picture;
@@ -178,8 +177,8 @@ final class MenuView extends MenuBar {
         Menu menu = new Menu("Show");
         menu.setId("menu-show");
         ToggleGroup group = new ToggleGroup();
-        for (Picture picture : ShownPictures.all()) {
-            RadioMenuItem item = new RadioMenuItem(ShownPictures.label(picture));
+        for (Picture picture : StagesAndViews.all()) {
+            RadioMenuItem item = new RadioMenuItem(StagesAndViews.label(picture));
             item.setToggleGroup(group);
             item.setOnAction(_ -> studio.setShown(picture));
             studio.shownProperty().subscribe(shown -> item.setSelected(shown == picture));

@@ -16,6 +16,7 @@ import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Problems;
+import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.BodyTransform;
 import dev.twister.gui.files.AssetActions;
@@ -28,9 +29,8 @@ import dev.twister.gui.files.ReadingView;
 import dev.twister.gui.files.SceneSaving;
 import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.files.TitleDialog;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.gallery.SceneGallery;
-import dev.twister.gui.model.ShownPictures;
-import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.panel.Panel;
 import dev.twister.gui.panel.PanelEdge;
 import dev.twister.gui.panel.PanelKeys;
@@ -47,16 +47,16 @@ import dev.twister.gui.picture.PathTable;
 import dev.twister.gui.picture.PathView;
 import dev.twister.gui.picture.PictureActions;
 import dev.twister.gui.picture.PictureView;
-import dev.twister.gui.picture.PictureViewer;
 import dev.twister.gui.picture.PixelInspector;
 import dev.twister.gui.picture.SafeFrame;
 import dev.twister.gui.picture.SplitView;
 import dev.twister.gui.picture.ZoomMouse;
 import dev.twister.gui.rendering.RenderActions;
+import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.EngineList;
-import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
+import dev.twister.gui.viewer.PictureViewer;
 import dev.twister.world.Picture;
 import java.util.List;
 import java.util.Optional;
@@ -88,7 +88,7 @@ final class Workbench implements AutoCloseable {
     private final FrameTimesView frameTimes;
     private final SettingsKeeper settings;
     private final Reading reading;
-    private final Errands errands = new Errands();
+    private final BackgroundTasks tasks = new BackgroundTasks();
     private final FileActions files;
     private final SceneGallery gallery;
     private final SceneSaving saving;
@@ -134,46 +134,45 @@ final class Workbench implements AutoCloseable {
         this.picture = picture;
         this.frameTimes = frameTimes;
         this.reading = reading;
-        settings = new SettingsKeeper(options.settings(), options.found(), errands, studio::notice);
+        settings = new SettingsKeeper(options.settings(), options.found(), tasks, studio::notice);
         Dialogs dialogs = new Dialogs(stage);
-        saving = new SceneSaving(
-                studio, options.files(), options.shipped(), dialogs, settings, errands, this::takeTyped);
+        saving = new SceneSaving(studio, options.files(), options.shipped(), dialogs, settings, tasks, this::takeTyped);
         assets = new AssetActions(studio, options.files(), dialogs, settings, reading);
         files = new FileActions(
-                studio, options.files(), options.shipped(), dialogs, settings, reading, saving, assets, errands);
+                studio, options.files(), options.shipped(), dialogs, settings, reading, saving, assets, tasks);
         gallery = new SceneGallery(stage, settings, files);
         autosaves = new AutosaveKeeper(studio, options.autosaves());
-        pictures = new PictureActions(studio, options.files(), dialogs, errands);
-        viewer = new PictureViewer(stage, studio, options.files(), dialogs, errands);
+        pictures = new PictureActions(studio, options.files(), dialogs, tasks);
+        viewer = new PictureViewer(stage, studio, options.files(), dialogs, tasks);
         help = new HelpWindows(stage);
         comparison = new Comparison(studio, studio.assets()::drawingLoop);
         middle.getChildren().add(1, new SplitView(picture, studio, comparison));
-        bodies = new BodyActions(studio, errands);
+        bodies = new BodyActions(studio, tasks);
         tags = new TagActions(studio);
         keyframes = new KeyframeMenu(picture, studio);
         transform = TransformKeys.install(middle, picture, studio);
         box = new BoxSelection(middle, picture, studio);
         safeFrame = new SafeFrame(picture, studio);
         picture.addOverlay(safeFrame);
-        inspector = new PixelInspector(picture, studio, errands);
+        inspector = new PixelInspector(picture, studio, tasks);
         StackPane.setAlignment(inspector, Pos.TOP_RIGHT);
         paths = new PathPick(studio);
         PathTable table = new PathTable(paths);
         StackPane.setAlignment(table, Pos.BOTTOM_CENTER);
         middle.getChildren().addAll(inspector, table);
         String usualEngine = studio.engineProperty().get().offer().id();
-        EngineList engines = EngineList.load(studio, errands);
+        EngineList engines = EngineList.load(studio, tasks);
         render = new RenderActions(stage, studio, engines, options.files(), dialogs);
         CommandActions actions = actions(() -> Panel.resetAll(studio, engines, usualEngine));
         ClippingView clipping = new ClippingView(picture, studio);
         picture.addOverlay(clipping);
-        ExposureActions exposure = new ExposureActions(studio, errands);
+        ExposureActions exposure = new ExposureActions(studio, tasks);
         actions.on(Command.AUTO_EXPOSURE, exposure::setAutomatically)
                 .on(
                         Command.CLIPPING,
                         () -> clipping.shownProperty()
                                 .set(!clipping.shownProperty().get()));
-        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, tags, errands, actions);
+        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, tags, tasks, actions);
         panel.foldAsKept(settings);
         HBox side = new HBox(panel);
         panelWindow = new PanelWindow(stage, panel, side, picture, settings);
@@ -216,7 +215,7 @@ final class Workbench implements AutoCloseable {
             PanelKeys.install(scene, panel, () -> showPanel(true));
             DropTarget.install(scene, files);
         }
-        errands.run(
+        tasks.run(
                 () -> SkyList.in(options.shipped().skyboxes()),
                 panel::offerSkies,
                 problem -> studio.notice(Problems.explain(problem)));
@@ -286,7 +285,7 @@ final class Workbench implements AutoCloseable {
         render.finish();
         autosaves.finish();
         reading.cancel();
-        errands.finish();
+        tasks.finish();
         menu.dismantle();
     }
 
@@ -297,7 +296,7 @@ final class Workbench implements AutoCloseable {
     void awaitFiles() {
         pictures.close();
         render.close();
-        errands.close();
+        tasks.close();
         autosaves.close();
     }
 
@@ -474,9 +473,9 @@ final class Workbench implements AutoCloseable {
     }
 
     private void showAlong(int steps) {
-        Picture next = ShownPictures.along(studio.shownProperty().get(), steps);
+        Picture next = StagesAndViews.along(studio.shownProperty().get(), steps);
         studio.setShown(next);
-        studio.notice(ShownPictures.label(next));
+        studio.notice(StagesAndViews.label(next));
     }
 
     private void backToThePicture() {

@@ -3,10 +3,10 @@ package dev.twister.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.Engines;
-import dev.twister.gui.model.FilmMotion;
-import dev.twister.gui.model.FilmPlan;
-import dev.twister.gui.model.RenderJob;
-import dev.twister.gui.model.WindowOrder;
+import dev.twister.gui.rendering.FilmMotion;
+import dev.twister.gui.rendering.FilmPlan;
+import dev.twister.gui.rendering.RenderJob;
+import dev.twister.gui.rendering.WindowOrder;
 import dev.twister.physics.Simulation;
 import dev.twister.render.FrameRange;
 import dev.twister.render.RenderOrder;

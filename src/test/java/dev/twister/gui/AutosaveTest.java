@@ -2,10 +2,10 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.model.Autosave;
-import dev.twister.gui.model.AutosaveFolder;
-import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.FileMark;
+import dev.twister.gui.files.Autosave;
+import dev.twister.gui.files.AutosaveFolder;
+import dev.twister.gui.studio.EditedFile;
+import dev.twister.gui.studio.FileMark;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;

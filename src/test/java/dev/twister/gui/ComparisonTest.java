@@ -2,9 +2,9 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.model.PictureDifference;
 import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.Comparison.Mode;
+import dev.twister.gui.picture.PictureDifference;
 import dev.twister.world.Picture;
 import java.util.Optional;
 import javafx.geometry.Bounds;

@@ -8,13 +8,13 @@ import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.edit.SceneHistory;
 import dev.twister.gui.files.SceneSaving;
-import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.FileMark;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.panel.Panel;
 import dev.twister.gui.picture.PictureActions;
 import dev.twister.gui.property.DaylightFile;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.BackgroundTasks;
+import dev.twister.gui.studio.EditedFile;
+import dev.twister.gui.studio.FileMark;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.mesh.MeshException;
@@ -711,13 +711,12 @@ class FilesTest {
         Path frames = Files.createDirectory(folder.resolve("frames"));
         driver.files.choose(frames);
         AtomicBoolean passed = new AtomicBoolean();
-        try (Errands errands = new Errands()) {
-            PictureActions pictures =
-                    new PictureActions(driver.studio, driver.files, new Dialogs(driver.stage), errands);
+        try (BackgroundTasks tasks = new BackgroundTasks()) {
+            PictureActions pictures = new PictureActions(driver.studio, driver.files, new Dialogs(driver.stage), tasks);
             driver.run(() -> {
                 pictures.toggleRecording();
                 pictures.finish();
-                errands.run(() -> "", _ -> passed.set(true), _ -> {});
+                tasks.run(() -> "", _ -> passed.set(true), _ -> {});
             });
             driver.await(passed::get);
             assertThat(pictures.recorderProperty().get()).isEmpty();

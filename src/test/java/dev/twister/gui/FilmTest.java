@@ -234,7 +234,7 @@ class FilmTest {
     @Test
     void anotherSceneHasItsOwnKeyframesAndAViewLeavesThem() {
         setTwo();
-        driver.run(() -> driver.studio.hand().keepView(1));
+        driver.run(() -> driver.studio.cameraControl().keepView(1));
         Scene film = WindowDriver.call(driver.studio::scene);
         show(WindowScenes.tiny());
         assertThat(WindowDriver.call(bar()::isVisible)).isFalse();
@@ -242,7 +242,7 @@ class FilmTest {
         show(film);
         driver.run(() -> {
             driver.studio.moveCamera(camera -> camera.withYawDegrees(90));
-            driver.studio.hand().recallView(1);
+            driver.studio.cameraControl().recallView(1);
         });
         assertThat(camera()).isEqualTo(film.camera());
         assertThat(camera().keyframes()).hasSize(2);

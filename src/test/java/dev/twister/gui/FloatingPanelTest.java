@@ -3,7 +3,7 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.edit.BodyEdits;
-import dev.twister.gui.model.WindowPlace;
+import dev.twister.gui.files.WindowPlace;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import java.util.List;

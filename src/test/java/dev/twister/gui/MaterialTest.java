@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.edit.BodyMaterials;
 import dev.twister.gui.edit.TagEdits;
-import dev.twister.gui.model.AutosaveFolder;
+import dev.twister.gui.files.AutosaveFolder;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.property.MaterialPreset;
 import dev.twister.gui.studio.OpenedScene;

@@ -9,8 +9,8 @@ import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyMaterials;
 import dev.twister.gui.edit.BodyNames;
 import dev.twister.gui.edit.BodyNumber;
-import dev.twister.gui.model.AutosaveFolder;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.AutosaveFolder;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.property.MaterialPreset;
@@ -313,7 +313,7 @@ class MeshesTest {
         Bounds picture = driver.pictureOnScreen();
         assertThat(outlineMiddle().getX()).isCloseTo(picture.getCenterX(), within(picture.getWidth() / 20));
         assertThat(outline().getHeight()).isGreaterThan(0.4 * Math.min(picture.getWidth(), picture.getHeight()));
-        driver.run(() -> driver.studio.hand().goHome());
+        driver.run(() -> driver.studio.cameraControl().goHome());
     }
 
     @Tag("slow")

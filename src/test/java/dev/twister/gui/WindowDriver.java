@@ -2,10 +2,10 @@ package dev.twister.gui;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.files.AutosaveFolder;
+import dev.twister.gui.files.SettingsStore;
 import dev.twister.gui.files.ShippedFolders;
-import dev.twister.gui.model.AutosaveFolder;
-import dev.twister.gui.model.SettingsStore;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;

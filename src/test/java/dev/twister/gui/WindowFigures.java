@@ -5,7 +5,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.ResolutionMode;
+import dev.twister.gui.drawing.ResolutionMode;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.Frame;
 import dev.twister.scene.Scene;

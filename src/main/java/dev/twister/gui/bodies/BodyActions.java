@@ -7,11 +7,11 @@ import dev.twister.gui.edit.DroppedBodies;
 import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.edit.TagEdits;
 import dev.twister.gui.edit.ThrownSpheres;
-import dev.twister.gui.model.Orbit;
 import dev.twister.gui.picking.NewLight;
 import dev.twister.gui.picking.NewMesh;
 import dev.twister.gui.picking.NewSphere;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.BackgroundTasks;
+import dev.twister.gui.studio.Orbit;
 import dev.twister.gui.studio.Selection;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Light;
@@ -28,12 +28,12 @@ public final class BodyActions {
     public static final String UNDELETED_LIGHT = "The last light can't be deleted; a scene has at least one";
 
     private final Studio studio;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
     private Optional<BodyGroup> copied = Optional.empty();
 
-    public BodyActions(Studio studio, Errands errands) {
+    public BodyActions(Studio studio, BackgroundTasks tasks) {
         this.studio = studio;
-        this.errands = errands;
+        this.tasks = tasks;
     }
 
     public void insert() {
@@ -165,7 +165,7 @@ public final class BodyActions {
     public void randomize() {
         Scene before = studio.scene();
         long number = studio.document().number();
-        errands.run(
+        tasks.run(
                 () -> ThrownSpheres.of(before, System.nanoTime()),
                 thrown -> {
                     if (studio.document().number() == number) {

@@ -1,9 +1,9 @@
 package dev.twister.gui.camera;
 
 import dev.twister.gui.edit.BodyExtent;
-import dev.twister.gui.model.Orbit;
 import dev.twister.gui.picking.FocusPoint;
 import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.studio.Orbit;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Vector3;

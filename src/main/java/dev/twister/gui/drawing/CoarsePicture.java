@@ -1,7 +1,6 @@
 package dev.twister.gui.drawing;
 
 import dev.twister.engine.Engine;
-import dev.twister.gui.model.RefinedPicture;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.nio.IntBuffer;

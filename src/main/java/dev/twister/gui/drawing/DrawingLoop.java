@@ -18,7 +18,7 @@ public final class DrawingLoop implements AutoCloseable {
     private static final long REST_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final PictureExchange exchange = new PictureExchange();
-    private final PictureWork work;
+    private final ProgressiveRenderer work;
     private final Thread thread;
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
@@ -37,13 +37,13 @@ public final class DrawingLoop implements AutoCloseable {
      * @param meshes reads meshes
      * @param substitute draws until the chosen engine is ready, and if it fails; must open at once
      */
-    public DrawingLoop(SkyShelf skies, MeshShelf meshes, EngineOffer substitute) {
+    public DrawingLoop(ImageCache skies, MeshCache meshes, EngineOffer substitute) {
         this(skies, meshes, substitute, System::nanoTime);
     }
 
     /** For tests: a loop with another clock than {@link System#nanoTime}. */
-    DrawingLoop(SkyShelf skies, MeshShelf meshes, EngineOffer substitute, LongSupplier clock) {
-        work = new PictureWork(exchange, skies, meshes, substitute, this::newest, this::wake, clock);
+    DrawingLoop(ImageCache skies, MeshCache meshes, EngineOffer substitute, LongSupplier clock) {
+        work = new ProgressiveRenderer(exchange, skies, meshes, substitute, this::newest, this::wake, clock);
         thread = Thread.ofPlatform().daemon().name("drawing").unstarted(this::run);
     }
 

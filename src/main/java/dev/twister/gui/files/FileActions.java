@@ -4,11 +4,8 @@ import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
 import dev.twister.gui.controls.Problems;
 import dev.twister.gui.edit.SceneHistory;
-import dev.twister.gui.model.Autosave;
-import dev.twister.gui.model.DroppedFile;
-import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.NewScene;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.BackgroundTasks;
+import dev.twister.gui.studio.EditedFile;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import dev.twister.mesh.MeshPose;
@@ -34,7 +31,7 @@ public final class FileActions {
     private final Reading reading;
     private final SceneSaving saving;
     private final AssetActions assets;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
 
     public FileActions(
             Studio studio,
@@ -45,8 +42,8 @@ public final class FileActions {
             Reading reading,
             SceneSaving saving,
             AssetActions assets,
-            Errands errands) {
-        this.errands = errands;
+            BackgroundTasks tasks) {
+        this.tasks = tasks;
         this.studio = studio;
         this.choice = choice;
         this.shipped = shipped;
@@ -66,7 +63,7 @@ public final class FileActions {
 
     /** Lists the shipped scenes in the background; tells nothing if there are none. */
     public void listShipped(Consumer<List<Path>> then) {
-        errands.run(shipped::list, then, _ -> {});
+        tasks.run(shipped::list, then, _ -> {});
     }
 
     /** Asks for a file and opens it. */

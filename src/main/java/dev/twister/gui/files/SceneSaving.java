@@ -4,12 +4,11 @@ import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
 import dev.twister.gui.controls.Problems;
 import dev.twister.gui.edit.SceneHistory;
-import dev.twister.gui.model.CopiedTitle;
-import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.FileMark;
 import dev.twister.gui.property.DaylightFile;
+import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Document;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.EditedFile;
+import dev.twister.gui.studio.FileMark;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Title;
 import dev.twister.scene.format.SceneWriter;
@@ -25,7 +24,7 @@ public final class SceneSaving {
     private final ShippedFolders shipped;
     private final Dialogs dialogs;
     private final SettingsKeeper settings;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
     private final BooleanSupplier takeTyped;
     private int saving;
 
@@ -43,7 +42,7 @@ public final class SceneSaving {
             ShippedFolders shipped,
             Dialogs dialogs,
             SettingsKeeper settings,
-            Errands errands,
+            BackgroundTasks tasks,
             BooleanSupplier takeTyped) {
         this.studio = studio;
         document = studio.document();
@@ -51,7 +50,7 @@ public final class SceneSaving {
         this.shipped = shipped;
         this.dialogs = dialogs;
         this.settings = settings;
-        this.errands = errands;
+        this.tasks = tasks;
         this.takeTyped = takeTyped;
     }
 
@@ -75,8 +74,8 @@ public final class SceneSaving {
             return;
         }
         if (saving > 0) {
-            // The thread writes scenes one after the other: after this errand all of them are written.
-            errands.keepFile(
+            // The thread writes scenes one after the other: after this task all of them are written.
+            tasks.keepFile(
                     () -> "",
                     _ -> afterSaving(action),
                     problem -> dialogs.complain("Couldn't keep the scene", Problems.explain(problem)));
@@ -146,7 +145,7 @@ public final class SceneSaving {
         }
         SceneHistory.Version version = document.toSave();
         saving++;
-        errands.keepFile(
+        tasks.keepFile(
                 () -> {
                     if (known.isOverwrittenBy(file) && !isOwn(file)) {
                         return Optional.<EditedFile>empty();
@@ -186,7 +185,7 @@ public final class SceneSaving {
                 new Answer("Save as…", () -> saveAs(then)),
                 new Answer(
                         "Overwrite",
-                        () -> errands.keepFile(
+                        () -> tasks.keepFile(
                                 () -> new EditedFile(file, FileMark.of(file)),
                                 seen -> saveTo(file, seen, then),
                                 this::complain)));

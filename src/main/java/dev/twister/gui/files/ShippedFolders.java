@@ -1,7 +1,6 @@
 package dev.twister.gui.files;
 
 import dev.twister.files.WholeFile;
-import dev.twister.gui.model.DroppedFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,8 +1,5 @@
 package dev.twister.gui.files;
 
-import dev.twister.gui.model.ChosenFile;
-import dev.twister.gui.model.PictureFile;
-import dev.twister.gui.model.ScenePatterns;
 import dev.twister.mesh.MeshReader;
 import java.io.File;
 import java.nio.file.Files;

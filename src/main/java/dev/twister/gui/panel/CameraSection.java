@@ -21,9 +21,9 @@ final class CameraSection {
                 "Walking speed in meters per second; Shift is 4 times as fast.",
                 "Alt+Shift+Z",
                 metersPerSecond -> new Look(CameraNumbers.FOCUS_DISTANCE.scale().text(metersPerSecond) + " m/s"),
-                studio.hand().speedProperty()::set,
+                studio.cameraControl().speedProperty()::set,
                 studio::notice);
-        studio.hand()
+        studio.cameraControl()
                 .speedProperty()
                 .subscribe(now -> speed.show(CameraNumbers.SPEEDS, now, CameraMotion.WALK_METERS_PER_SECOND));
         studio.sceneProperty().subscribe(_ -> refresh());

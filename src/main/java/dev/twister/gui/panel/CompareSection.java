@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
 import dev.twister.engine.EngineOffer;
-import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.Comparison.Mode;
@@ -47,7 +47,7 @@ final class CompareSection {
                 "It shows",
                 "The stage or view of the second picture.",
                 "Alt+Shift+S",
-                picture -> new Look(picture.map(ShownPictures::label).orElse(SAME)),
+                picture -> new Look(picture.map(StagesAndViews::label).orElse(SAME)),
                 comparison.shownProperty()::set,
                 studio::notice);
         settings = new SwitchRow(
@@ -82,7 +82,7 @@ final class CompareSection {
         shown.show(
                 Stream.concat(
                                 Stream.of(Optional.<Picture>empty()),
-                                ShownPictures.all().stream().map(Optional::of))
+                                StagesAndViews.all().stream().map(Optional::of))
                         .toList(),
                 comparison.shownProperty().get(),
                 Optional.empty());

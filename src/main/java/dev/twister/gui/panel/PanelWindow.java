@@ -1,8 +1,8 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.files.SettingsKeeper;
-import dev.twister.gui.model.WindowPlace;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowPlace;
+import dev.twister.gui.files.WindowSettings;
 import java.util.EnumSet;
 import java.util.Set;
 import javafx.beans.binding.BooleanBinding;

@@ -3,7 +3,7 @@ package dev.twister.gui.panel;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.property.SceneNumbers;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
@@ -26,7 +26,7 @@ final class PictureSection {
     private final RestRows rest;
 
     /** @param clippingShown whether clipped pixels are marked */
-    PictureSection(Studio studio, Errands errands, BooleanProperty clippingShown) {
+    PictureSection(Studio studio, BackgroundTasks tasks, BooleanProperty clippingShown) {
         this.studio = studio;
         numbers = NumberRow.of(SceneNumbers.PICTURE, studio);
         integrator = new ChoiceRow<>(
@@ -51,7 +51,7 @@ final class PictureSection {
                 "Alt+N",
                 studio.refiningProperty()::set);
         clipping = new SwitchRow("Show clipping", Command.CLIPPING.hint(), "Alt+Z", clippingShown::set);
-        rest = new RestRows(studio, errands);
+        rest = new RestRows(studio, tasks);
         clippingShown.subscribe(on -> clipping.show(on, false));
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.document().originalProperty().subscribe(_ -> refresh());

@@ -3,9 +3,9 @@ package dev.twister.gui.panel;
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.denoise.Denoisers;
 import dev.twister.gui.controls.Problems;
-import dev.twister.gui.model.NoiseGoal;
+import dev.twister.gui.drawing.NoiseGoal;
 import dev.twister.gui.panel.ChoiceRow.Look;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
 import java.util.List;
 import java.util.Optional;
@@ -13,13 +13,13 @@ import java.util.Optional;
 /** How long a path-traced picture at rest is refined, and whether its noise is removed. */
 final class RestRows {
     private final Studio studio;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
     private final ChoiceRow<Double> noise;
     private final SwitchRow denoise;
 
-    RestRows(Studio studio, Errands errands) {
+    RestRows(Studio studio, BackgroundTasks tasks) {
         this.studio = studio;
-        this.errands = errands;
+        this.tasks = tasks;
         noise = new ChoiceRow<>(
                 "Stop at noise",
                 "With path tracing: stop refining at this noise, an error in percent of white.",
@@ -43,7 +43,7 @@ final class RestRows {
     private void setDenoising(boolean on) {
         if (on) {
             // Off until the library is found, which takes some 0.5 s.
-            errands.run(Denoisers::offer, this::use, problem -> studio.notice(Problems.explain(problem)));
+            tasks.run(Denoisers::offer, this::use, problem -> studio.notice(Problems.explain(problem)));
         } else {
             studio.denoiserProperty().set(Optional.empty());
         }

@@ -1,6 +1,6 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.model.DroppedFile;
+import dev.twister.gui.files.DroppedFile;
 import dev.twister.gui.property.DaylightFile;
 import java.io.IOException;
 import java.nio.file.Files;

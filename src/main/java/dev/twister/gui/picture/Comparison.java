@@ -5,7 +5,6 @@ import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawingRequest;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
-import dev.twister.gui.model.PictureDifference;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.Frame;
 import dev.twister.scene.Rendering;

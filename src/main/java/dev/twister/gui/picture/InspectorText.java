@@ -1,7 +1,6 @@
 package dev.twister.gui.picture;
 
 import dev.twister.gui.edit.BodyNumber;
-import dev.twister.gui.model.PixelReading;
 import dev.twister.scene.Rgb;
 import dev.twister.world.Picture;
 import java.util.Locale;

@@ -4,9 +4,8 @@ import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Problems;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.files.FileChoice;
-import dev.twister.gui.model.FrameRecorder;
-import dev.twister.gui.model.PictureFile;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.files.PictureFile;
+import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrWriter;
@@ -28,7 +27,7 @@ public final class PictureActions implements AutoCloseable {
     private final Studio studio;
     private final FileChoice choice;
     private final Dialogs dialogs;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
     private final ReadOnlyObjectWrapper<Optional<FrameRecorder>> recorder =
             new ReadOnlyObjectWrapper<>(Optional.empty());
 
@@ -38,11 +37,11 @@ public final class PictureActions implements AutoCloseable {
     private Path lastFolder = Path.of("").toAbsolutePath();
     private boolean finished;
 
-    public PictureActions(Studio studio, FileChoice choice, Dialogs dialogs, Errands errands) {
+    public PictureActions(Studio studio, FileChoice choice, Dialogs dialogs, BackgroundTasks tasks) {
         this.studio = studio;
         this.choice = choice;
         this.dialogs = dialogs;
-        this.errands = errands;
+        this.tasks = tasks;
     }
 
     /** The recording that is going on. */
@@ -64,7 +63,7 @@ public final class PictureActions implements AutoCloseable {
                 .ifPresent(file -> {
                     lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent())
                             .orElse(lastFolder);
-                    errands.keepPicture(
+                    tasks.keepPicture(
                             // The window's engine may work long on a picture before it notices.
                             PictureFile.isLinear(file) ? radiance.gathered() : CompletableFuture.completedFuture(""),
                             () -> {
@@ -121,7 +120,7 @@ public final class PictureActions implements AutoCloseable {
 
     private void startRecording(Path folder) {
         lastFolder = folder;
-        errands.run(
+        tasks.run(
                 () -> FrameRecorder.start(folder),
                 this::record,
                 problem -> dialogs.complain("Couldn't start recording", Problems.explain(problem)));

@@ -1,8 +1,7 @@
 package dev.twister.gui.picture;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.PictureZoom;
-import dev.twister.gui.model.PictureZoom.Side;
+import dev.twister.gui.picture.PictureZoom.Side;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.Frame;
 import java.nio.IntBuffer;

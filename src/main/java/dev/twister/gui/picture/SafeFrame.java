@@ -1,6 +1,5 @@
 package dev.twister.gui.picture;
 
-import dev.twister.gui.model.FrameOutline;
 import dev.twister.gui.studio.Studio;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;

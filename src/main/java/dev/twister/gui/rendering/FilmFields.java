@@ -2,8 +2,6 @@ package dev.twister.gui.rendering;
 
 import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.PlainBox;
-import dev.twister.gui.model.FilmMotion;
-import dev.twister.gui.model.FilmPlan;
 import dev.twister.render.FrameRange;
 import dev.twister.scene.Range;
 import dev.twister.scene.Scene;

@@ -1,8 +1,7 @@
 package dev.twister.gui.rendering;
 
 import dev.twister.gui.controls.PlainBox;
-import dev.twister.gui.model.NoiseGoal;
-import dev.twister.gui.model.RenderFormat;
+import dev.twister.gui.drawing.NoiseGoal;
 import dev.twister.render.Finishing;
 import dev.twister.render.RenderOrder;
 import dev.twister.render.Sampling;

@@ -7,7 +7,6 @@ import dev.twister.gui.controls.Problems;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.files.FileChoice;
 import dev.twister.gui.files.FileNames;
-import dev.twister.gui.model.RenderJob;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
 import dev.twister.render.RenderOrder;

@@ -6,10 +6,8 @@ import dev.twister.film.Ffmpeg;
 import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.PlainBox;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.RefinementGoal;
-import dev.twister.gui.model.RenderFormat;
-import dev.twister.gui.model.ShownPictures;
-import dev.twister.gui.model.WindowOrder;
+import dev.twister.gui.drawing.RefinementGoal;
+import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.PictureSize;
@@ -52,7 +50,7 @@ final class RenderForm extends GridPane {
     private final NumberField shadows =
             new NumberField("Shadow samples", SceneLimits.SHADOW_SAMPLES, true, this::check);
     private final PlainBox<EngineOffer> engine = new PlainBox<>("render-engine", RenderForm::name, this::check);
-    private final PlainBox<Picture> shown = new PlainBox<>("render-show", ShownPictures::label, this::check);
+    private final PlainBox<Picture> shown = new PlainBox<>("render-show", StagesAndViews::label, this::check);
     private final PlainBox<RenderFormat> format = new PlainBox<>("render-format", RenderFormat::label, this::check);
     private final Label estimate = new Label();
     private final FinishingFields finishing = new FinishingFields(this::check);
@@ -114,7 +112,7 @@ final class RenderForm extends GridPane {
             size.show(
                     new PictureSize(scene.rendering().width(), scene.rendering().height()));
             samples.show(RefinementGoal.samples(scene, Picture.REFLECTIONS));
-            shown.offer(ShownPictures.all(), Optional.of(studio.shownProperty().get()));
+            shown.offer(StagesAndViews.all(), Optional.of(studio.shownProperty().get()));
             films.showUsual();
             engines.want();
         }

@@ -3,7 +3,6 @@ package dev.twister.gui.studio;
 import dev.twister.gui.edit.CameraRig;
 import dev.twister.gui.edit.EditState;
 import dev.twister.gui.edit.SceneHistory;
-import dev.twister.gui.model.EditedFile;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.world.CameraMotion;

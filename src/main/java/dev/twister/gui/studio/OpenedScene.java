@@ -1,7 +1,5 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.FileMark;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.format.SceneReader;

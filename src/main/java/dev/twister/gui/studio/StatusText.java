@@ -2,7 +2,7 @@ package dev.twister.gui.studio;
 
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.property.CameraNumbers;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
@@ -29,7 +29,7 @@ public final class StatusText {
                         name.isEmpty() ? "untitled" : name,
                         picture.request().shown() == Picture.REFLECTIONS
                                 ? ""
-                                : ShownPictures.label(picture.request().shown()),
+                                : StagesAndViews.label(picture.request().shown()),
                         (chosen.equals(picture.engine()) ? "" : chosen + ": ") + picture.engine() + " ("
                                 + picture.device() + ")",
                         picture.frame().width() + " × " + picture.frame().height(),

@@ -8,11 +8,11 @@ import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
 import dev.twister.gui.drawing.Refinement;
+import dev.twister.gui.drawing.RefinementGoal;
+import dev.twister.gui.drawing.ResolutionMode;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.TagEdits;
-import dev.twister.gui.model.RefinementGoal;
-import dev.twister.gui.model.ResolutionMode;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Body;
 import dev.twister.scene.Camera;
@@ -67,13 +67,13 @@ public final class Studio implements AutoCloseable {
     private final Selection selection;
     private final MotionControl motion;
     private final PresentBodies bodies;
-    private final CameraHand hand;
+    private final CameraControl cameraControl;
     private final Film film;
     private double displayMillis;
     private long lastPulseNanos;
     private double viewWidth;
     private double viewHeight;
-    private final DrawnScene drawn = new DrawnScene();
+    private final VisibleScene drawn = new VisibleScene();
     private Optional<Scene> requested = Optional.empty();
     private long requests;
 
@@ -88,7 +88,7 @@ public final class Studio implements AutoCloseable {
         selection = new Selection(document, this::notice);
         motion = new MotionControl(document, selection, this::notice, this::request);
         bodies = new PresentBodies(document, motion, picture);
-        hand = new CameraHand(document, this::notice);
+        cameraControl = new CameraControl(document, this::notice);
         film = new Film(document, motion::isOn, this::notice);
         refining.subscribe(_ -> request());
         noiseGoal.subscribe(_ -> request());
@@ -155,7 +155,7 @@ public final class Studio implements AutoCloseable {
 
     /** Whether something moves or the picture is not finished. */
     public boolean isBusy() {
-        return hand.isMoving()
+        return cameraControl.isMoving()
                 || film.playingProperty().get()
                 || motion.motionProperty().get().running()
                 || restingSamples().isEmpty();
@@ -306,8 +306,8 @@ public final class Studio implements AutoCloseable {
     }
 
     /** Walks, turns, and keeps views. */
-    public CameraHand hand() {
-        return hand;
+    public CameraControl cameraControl() {
+        return cameraControl;
     }
 
     /** Sets and plays the scene's keyframes. */
@@ -383,7 +383,7 @@ public final class Studio implements AutoCloseable {
     public void pulse(long nanos) {
         double seconds = Math.clamp((nanos - lastPulseNanos) / NANOS_PER_SECOND, 0, LONGEST_STEP_SECONDS);
         lastPulseNanos = nanos;
-        hand.pulse(seconds);
+        cameraControl.pulse(seconds);
         film.pulse(seconds);
         loop.takeNewest().ifPresent(newest -> {
             frames.add(newest, displayMillis);

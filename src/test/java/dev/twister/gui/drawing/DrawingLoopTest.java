@@ -52,9 +52,9 @@ class DrawingLoopTest {
     private final TestEngine.Kind green = new TestEngine.Kind("green", GREEN);
     private final TestEngine.Kind red = new TestEngine.Kind("red", RED);
     private final AtomicLong nanos = new AtomicLong();
-    private final SkyShelf skies = new SkyShelf();
+    private final ImageCache skies = new ImageCache();
     private final DrawingLoop loop =
-            new DrawingLoop(skies, new MeshShelf(SceneMeshes.reader(skies::warn)), substitute.offer(), nanos::get);
+            new DrawingLoop(skies, new MeshCache(SceneMeshes.reader(skies::warn)), substitute.offer(), nanos::get);
     private final Scene scene = WindowScenes.tiny();
     private Thread thread;
     private long requests;

@@ -37,9 +37,9 @@ class PathPreviewTest {
     private final AtomicLong nanos = new AtomicLong();
     private final Turns turns = new Turns();
     private final EngineOffer paced = EngineOffer.working("paced", "a test", "gray", Paced::new);
-    private final SkyShelf skies = new SkyShelf();
+    private final ImageCache skies = new ImageCache();
     private final DrawingLoop loop =
-            new DrawingLoop(skies, new MeshShelf(SceneMeshes.reader(skies::warn)), paced, nanos::get);
+            new DrawingLoop(skies, new MeshCache(SceneMeshes.reader(skies::warn)), paced, nanos::get);
     private final Scene scene = traced(WindowScenes.tiny());
     private long requests;
 

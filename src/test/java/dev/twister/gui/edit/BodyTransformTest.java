@@ -3,8 +3,8 @@ package dev.twister.gui.edit;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.twister.gui.model.FrameOutline;
 import dev.twister.gui.picking.SelectionBox;
+import dev.twister.gui.picture.FrameOutline;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;

@@ -2,7 +2,7 @@ package dev.twister.gui.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.model.OutlineLine;
+import dev.twister.gui.panel.OutlineLine;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;

@@ -3,7 +3,6 @@ package dev.twister.gui.studio;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.Gui;
-import dev.twister.gui.model.FileMark;
 import dev.twister.scene.Scene;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
