@@ -1,5 +1,9 @@
 package dev.twister.gui;
 
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.input.ScrollEvent;
 import dev.twister.bench.WindowRates;
 import dev.twister.gui.camera.CameraKeys;
 import dev.twister.gui.camera.CameraMouse;
@@ -154,5 +158,24 @@ public final class MainWindow implements AutoCloseable {
     /** See {@link Workbench#awaitFiles}. */
     void awaitFiles() {
         workbench.awaitFiles();
+    }
+
+    /** Keeps an Alt that was held for the mouse from leading to the menu when it is let go. */
+    private static final class AltKey {
+        private boolean usedByMouse;
+
+        private AltKey() {}
+
+        static void install(Scene scene) {
+            AltKey alt = new AltKey();
+            scene.addEventFilter(MouseEvent.MOUSE_PRESSED, event -> alt.usedByMouse |= event.isAltDown());
+            scene.addEventFilter(ScrollEvent.SCROLL, event -> alt.usedByMouse |= event.isAltDown());
+            scene.addEventFilter(KeyEvent.KEY_PRESSED, _ -> alt.usedByMouse = false);
+            scene.addEventFilter(KeyEvent.KEY_RELEASED, event -> {
+                if (event.getCode() == KeyCode.ALT && alt.usedByMouse) {
+                    event.consume();
+                }
+            });
+        }
     }
 }

@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import dev.twister.gui.edit.SceneHistory;
 import dev.twister.gui.bodies.BodyActions;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.Command.Group;
@@ -8,7 +9,6 @@ import dev.twister.gui.controls.Ids;
 import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.edit.BodyEdits;
-import dev.twister.gui.edit.EditState;
 import dev.twister.gui.edit.TagEdits;
 import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.SettingsKeeper;
@@ -236,7 +236,7 @@ final class MenuView extends MenuBar {
         recent.setDisable(files.isEmpty());
     }
 
-    private void showEdits(EditState state) {
+    private void showEdits(SceneHistory.State state) {
         showEdit(Command.UNDO, state.undoable());
         showEdit(Command.REDO, state.redoable());
         showEdit(Command.REDO_ALSO, state.redoable());

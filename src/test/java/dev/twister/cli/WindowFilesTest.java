@@ -1,10 +1,10 @@
 package dev.twister.cli;
 
+import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.Engines;
 import dev.twister.gui.rendering.FilmMotion;
-import dev.twister.gui.rendering.FilmPlan;
 import dev.twister.gui.rendering.RenderJob;
 import dev.twister.gui.rendering.WindowOrder;
 import dev.twister.physics.Simulation;

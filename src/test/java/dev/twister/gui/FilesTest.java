@@ -14,7 +14,6 @@ import dev.twister.gui.picture.PictureActions;
 import dev.twister.gui.property.DaylightFile;
 import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.EditedFile;
-import dev.twister.gui.studio.FileMark;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.mesh.MeshException;
@@ -85,7 +84,7 @@ class FilesTest {
                     "shadows", now -> now.withRendering(now.rendering().withShadowSamples(1)));
             SceneHistory.Version saved = driver.studio.document().toSave();
             SceneWriter.write(saved.scene(), scene);
-            driver.studio.document().saved(saved, new EditedFile(scene, FileMark.of(scene)));
+            driver.studio.document().saved(saved, new EditedFile(scene, EditedFile.Digest.of(scene)));
         });
         driver.awaitCurrentPicture();
     }

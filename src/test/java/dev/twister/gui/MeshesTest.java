@@ -7,8 +7,8 @@ import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyMaterials;
-import dev.twister.gui.edit.BodyNames;
 import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.BodyTitles;
 import dev.twister.gui.files.AutosaveFolder;
 import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.panel.PanelRow;
@@ -377,7 +377,7 @@ class MeshesTest {
         assertThat(selected()).isEqualTo(BodyNumber.ofMesh(2));
         assertThat(undoable()).isEqualTo("insert torus");
         Mesh ring = now().meshes().getLast();
-        assertThat(BodyNames.title(now(), selected())).isEqualTo("Mesh 3 (torus)");
+        assertThat(BodyTitles.title(now(), selected())).isEqualTo("Mesh 3 (torus)");
         assertThat(ring.position().y() - ((Shape) ring.geometry()).size().y() / 2)
                 .isGreaterThanOrEqualTo(now().ground().height());
         driver.run(driver.studio::undo);

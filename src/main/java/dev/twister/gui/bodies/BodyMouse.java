@@ -4,8 +4,8 @@ import dev.twister.gui.camera.CameraMouse;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.edit.Axis;
 import dev.twister.gui.edit.BodyEdits;
-import dev.twister.gui.edit.BodyNames;
 import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.BodyTitles;
 import dev.twister.gui.edit.DraggedBodies;
 import dev.twister.gui.edit.TagEdits;
 import dev.twister.gui.picking.BodyDrag;
@@ -258,7 +258,7 @@ public final class BodyMouse {
     private boolean isUnlocked(int body) {
         boolean locked = TagEdits.of(studio.scene(), body).locked();
         if (locked) {
-            studio.notice(BodyNames.title(studio.scene(), body) + " is locked; select it in the list of bodies");
+            studio.notice(BodyTitles.title(studio.scene(), body) + " is locked; select it in the list of bodies");
         }
         return !locked;
     }

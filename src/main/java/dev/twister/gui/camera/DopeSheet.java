@@ -1,8 +1,8 @@
 package dev.twister.gui.camera;
 
+import dev.twister.gui.edit.TrackEdits.KeyMark;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.edit.BodyNumber;
-import dev.twister.gui.edit.KeyMark;
 import dev.twister.gui.edit.TrackEdits;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;

@@ -1,7 +1,7 @@
 package dev.twister.gui.camera;
 
+import dev.twister.gui.edit.TrackEdits.KeyMark;
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.edit.KeyMark;
 import dev.twister.gui.edit.KeyframeEdits;
 import dev.twister.gui.edit.TrackEdits;
 import dev.twister.gui.edit.TrackTitles;

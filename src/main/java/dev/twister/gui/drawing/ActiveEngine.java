@@ -1,5 +1,6 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;

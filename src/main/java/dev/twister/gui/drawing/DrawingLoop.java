@@ -26,7 +26,7 @@ public final class DrawingLoop implements AutoCloseable {
     private boolean due;
     private boolean closed;
     private final Deque<RadianceQuestion> questions = new ArrayDeque<>();
-    private volatile DrawingStatus status = DrawingStatus.QUIET;
+    private volatile Status status = Status.QUIET;
 
     private record RadianceQuestion(DrawnPicture picture, CompletableFuture<Optional<float[]>> answer) {}
 
@@ -102,7 +102,7 @@ public final class DrawingLoop implements AutoCloseable {
         return answer;
     }
 
-    public DrawingStatus status() {
+    public Status status() {
         return status;
     }
 
@@ -218,5 +218,16 @@ public final class DrawingLoop implements AutoCloseable {
         } finally {
             lock.unlock();
         }
+    }
+
+    /**
+     * The state of the drawing thread.
+     *
+     * @param opening id of the engine that is being opened
+     * @param engineFailure why the chosen engine does not draw
+     * @param sceneFailure why the scene or its sky is not shown
+     */
+    public record Status(Optional<String> opening, Optional<String> engineFailure, Optional<String> sceneFailure) {
+        public static final Status QUIET = new Status(Optional.empty(), Optional.empty(), Optional.empty());
     }
 }

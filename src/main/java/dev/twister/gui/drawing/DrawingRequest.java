@@ -1,5 +1,8 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.denoise.DenoiserOffer;
+import java.util.Optional;
+import dev.twister.engine.EngineOffer;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
@@ -84,5 +87,26 @@ public record DrawingRequest(
     /** Whether pictures are drawn without end although nothing is requested. */
     public boolean isContinuous() {
         return refinement.samples() == 0 || motion.running();
+    }
+
+    /**
+     * A choice of an engine. An engine that failed is tried again only when it is chosen again, which makes a new choice.
+     *
+     * @param number counts the choices
+     */
+    public record EngineChoice(long number, EngineOffer offer) {}
+
+    /**
+     * How a picture at rest gets better.
+     *
+     * @param samples per pixel to gather before the picture rests; 0 to draw it again and again
+     * @param noise at which a path-traced picture rests earlier, relative to white; 0 for none
+     * @param denoiser removes the noise of a path-traced picture; empty to leave it
+     */
+    public record Refinement(int samples, double noise, Optional<DenoiserOffer> denoiser) {
+        /** To a number of samples alone. */
+        public static Refinement to(int samples) {
+            return new Refinement(samples, 0, Optional.empty());
+        }
     }
 }

@@ -1,5 +1,6 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.gui.drawing.DrawnPicture.Gathered;
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
@@ -195,8 +196,8 @@ final class ProgressiveRenderer implements AutoCloseable {
         watcher = newWatcher;
     }
 
-    DrawingStatus status() {
-        return new DrawingStatus(
+    DrawingLoop.Status status() {
+        return new DrawingLoop.Status(
                 engines.opening(),
                 engines.failure()
                         .or(() -> request.filter(wanted -> denoiser(wanted).isPresent())

@@ -1,5 +1,8 @@
 package dev.twister.gui.edit;
 
+import dev.twister.physics.SameSpheres;
+import dev.twister.scene.Vector3;
+import java.util.ArrayList;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -223,5 +226,49 @@ public final class SceneHistory {
         });
         lists.remove(present.spheres());
         return lists.stream().mapToLong(List::size).sum();
+    }
+
+    /**
+     * What can be done about the edits of a scene.
+     *
+     * @param undoable the edit that undo takes back
+     * @param redoable the edit that redo makes again
+     * @param changed whether there is something to save
+     */
+    public record State(Optional<String> undoable, Optional<String> redoable, boolean changed) {
+        /** A scene as its file has it. */
+        public static final State UNTOUCHED = new State(Optional.empty(), Optional.empty(), false);
+
+        public static State of(SceneHistory history) {
+            return new State(history.undoable(), history.redoable(), history.hasChanged());
+        }
+    }
+
+    /** Spheres between which an edit leads, when time has moved some since. */
+    static final class CarriedSpheres {
+        private CarriedSpheres() {}
+
+        /**
+         * Applies the edit that turned one list into another to the present list: spheres that the edit does not move stay
+         * at their present places.
+         *
+         * @param present the spheres of {@code from}, in the same order, at their present places
+         */
+        static List<Sphere> of(List<Sphere> from, List<Sphere> to, List<Sphere> present) {
+            if (present.equals(from)) {
+                return to;
+            }
+            int[] same = SameSpheres.of(from, to);
+            List<Sphere> carried = new ArrayList<>(to);
+            for (int index = 0; index < same.length; index++) {
+                int number = same[index];
+                Sphere sphere = to.get(index);
+                if (number != SameSpheres.NONE && from.get(number).position().equals(sphere.position())) {
+                    Vector3 now = present.get(number).position();
+                    carried.set(index, sphere.withPosition(now));
+                }
+            }
+            return carried;
+        }
     }
 }

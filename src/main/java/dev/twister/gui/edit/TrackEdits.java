@@ -226,4 +226,7 @@ public final class TrackEdits {
         }
         return scene.withTracks(tracks);
     }
+
+    /** All keyframes of one part of a scene at one time; of the camera, also those of its path. */
+    public record KeyMark(TrackTarget target, double seconds) {}
 }

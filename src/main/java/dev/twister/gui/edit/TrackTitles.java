@@ -13,10 +13,10 @@ public final class TrackTitles {
     public static String of(Scene scene, TrackTarget target) {
         return switch (target.kind()) {
             case CAMERA -> "Camera";
-            case LIGHT -> BodyNames.title(scene, BodyNumber.ofLight(target.index()));
+            case LIGHT -> BodyTitles.title(scene, BodyNumber.ofLight(target.index()));
             case PLANE -> "Plane";
-            case SPHERE -> BodyNames.title(scene, BodyNumber.ofSphere(target.index()));
-            case MESH -> BodyNames.title(scene, BodyNumber.ofMesh(target.index()));
+            case SPHERE -> BodyTitles.title(scene, BodyNumber.ofSphere(target.index()));
+            case MESH -> BodyTitles.title(scene, BodyNumber.ofMesh(target.index()));
             case SKY -> "Sky";
             case SHADING -> "Ambient light";
             case RENDERING -> "Picture";

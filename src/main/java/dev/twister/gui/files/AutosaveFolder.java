@@ -3,7 +3,6 @@ package dev.twister.gui.files;
 import dev.twister.files.UserFolder;
 import dev.twister.files.WholeFile;
 import dev.twister.gui.studio.EditedFile;
-import dev.twister.gui.studio.FileMark;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.Channels;
@@ -137,7 +136,7 @@ public record AutosaveFolder(Optional<Path> folder, Duration delay) {
             return line < 0
                     ? Optional.empty()
                     : Optional.of(
-                            new EditedFile(Path.of(text.substring(line + 1)), new FileMark(text.substring(0, line))));
+                            new EditedFile(Path.of(text.substring(line + 1)), new EditedFile.Digest(text.substring(0, line))));
         } catch (InvalidPathException _) {
             return Optional.empty();
         }

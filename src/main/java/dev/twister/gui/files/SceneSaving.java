@@ -8,7 +8,6 @@ import dev.twister.gui.property.DaylightFile;
 import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Document;
 import dev.twister.gui.studio.EditedFile;
-import dev.twister.gui.studio.FileMark;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Title;
 import dev.twister.scene.format.SceneWriter;
@@ -93,7 +92,7 @@ public final class SceneSaving {
     /** Whether the scene is shipped or was never saved, so that it needs a file of its own first. */
     private boolean needsFile() {
         return shipped.isScene(document.file())
-                || document.fileProperty().get().mark().equals(FileMark.NONE);
+                || document.fileProperty().get().mark().equals(EditedFile.Digest.NONE);
     }
 
     private void save(Runnable then) {
@@ -152,7 +151,7 @@ public final class SceneSaving {
                     }
                     DaylightFile.writeIfMissing(version.scene());
                     SceneWriter.write(version.scene(), file, known.path());
-                    lastWritten = Optional.of(new EditedFile(file, FileMark.of(file)));
+                    lastWritten = Optional.of(new EditedFile(file, EditedFile.Digest.of(file)));
                     return lastWritten;
                 },
                 written -> {
@@ -186,7 +185,7 @@ public final class SceneSaving {
                 new Answer(
                         "Overwrite",
                         () -> tasks.keepFile(
-                                () -> new EditedFile(file, FileMark.of(file)),
+                                () -> new EditedFile(file, EditedFile.Digest.of(file)),
                                 seen -> saveTo(file, seen, then),
                                 this::complain)));
     }

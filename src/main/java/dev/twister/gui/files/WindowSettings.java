@@ -61,7 +61,7 @@ public record WindowSettings(Map<String, Object> values) {
     /** Whether the panel is in a window of its own. */
     public static final Key<Boolean> PANEL_FLOATS = flag("panelFloats", false);
 
-    /** Where that window is on the screen, see {@link WindowPlace}. */
+    /** Where that window is on the screen, see {@link Bounds}. */
     static final Key<Integer> PANEL_X = number("panelX", 0, -MAX_SIDE);
 
     static final Key<Integer> PANEL_Y = number("panelY", 0, -MAX_SIDE);
@@ -184,5 +184,29 @@ public record WindowSettings(Map<String, Object> values) {
 
     private static Optional<String> text(Object value) {
         return value instanceof String text && text.length() <= MAX_TEXT_LENGTH ? Optional.of(text) : Optional.empty();
+    }
+
+    /** Where a window is on the screen, and how large, in the screen's units. */
+    public record Bounds(double x, double y, double width, double height) {
+        /** Of the panel's window; empty if it never was anywhere. */
+        public static Optional<Bounds> of(WindowSettings settings) {
+            int width = settings.get(WindowSettings.PANEL_WINDOW_WIDTH);
+            int height = settings.get(WindowSettings.PANEL_WINDOW_HEIGHT);
+            return Optional.of(new Bounds(
+                            settings.get(WindowSettings.PANEL_X), settings.get(WindowSettings.PANEL_Y), width, height))
+                    .filter(_ -> width > 0 && height > 0);
+        }
+
+        /** The settings with this as the place of the panel's window. */
+        public WindowSettings keptIn(WindowSettings settings) {
+            return settings.with(WindowSettings.PANEL_X, clamped(x, -WindowSettings.MAX_SIDE))
+                    .with(WindowSettings.PANEL_Y, clamped(y, -WindowSettings.MAX_SIDE))
+                    .with(WindowSettings.PANEL_WINDOW_WIDTH, clamped(width, 0))
+                    .with(WindowSettings.PANEL_WINDOW_HEIGHT, clamped(height, 0));
+        }
+
+        private static int clamped(double number, int least) {
+            return (int) Math.clamp(Math.rint(number), least, WindowSettings.MAX_SIDE);
+        }
     }
 }

@@ -3,8 +3,8 @@ package dev.twister.gui.panel;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyMaterials;
-import dev.twister.gui.edit.BodyNames;
 import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.BodyTitles;
 import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.edit.SharedMaterial;
 import dev.twister.gui.files.AssetActions;
@@ -108,7 +108,7 @@ final class MaterialRows {
 
     /** Text that names the material and the bodies that share it. */
     String hint() {
-        return (body == BodyNumber.PLANE ? "The plane" : BodyNames.title(studio.scene(), body))
+        return (body == BodyNumber.PLANE ? "The plane" : BodyTitles.title(studio.scene(), body))
                 + shared.map(named -> " has the material \"" + named.name() + "\", "
                                 + (named.bodies().size() == 1
                                         ? "alone."

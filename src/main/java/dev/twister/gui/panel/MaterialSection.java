@@ -2,8 +2,8 @@ package dev.twister.gui.panel;
 
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyMaterials;
-import dev.twister.gui.edit.BodyNames;
 import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.BodyTitles;
 import dev.twister.gui.files.AssetActions;
 import dev.twister.gui.studio.Studio;
 import java.util.List;
@@ -76,7 +76,7 @@ final class MaterialSection extends VBox {
             hint.setText(rows.hint());
         });
         if (mesh && !has) {
-            hint.setText(BodyNames.title(studio.scene(), body)
+            hint.setText(BodyTitles.title(studio.scene(), body)
                     + (BodyEdits.mesh(studio.scene(), body).file().isPresent()
                             ? " has the materials of its file."
                             : " has the default material."));

@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.edit.BodyNames;
 import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.BodyTitles;
 import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.edit.TagEdits;
 import dev.twister.scene.Scene;
@@ -25,9 +25,9 @@ public record OutlineLine(int body, String text, Tag tag, List<Integer> members)
     public static List<OutlineLine> of(Scene scene, SelectedBodies selected, Set<String> folded) {
         List<OutlineLine> lines = new ArrayList<>();
         Map<String, List<OutlineLine>> groups = new LinkedHashMap<>();
-        for (int body : BodyNames.of(scene, selected)) {
+        for (int body : BodyTitles.of(scene, selected)) {
             Tag tag = TagEdits.of(scene, body);
-            OutlineLine line = new OutlineLine(body, BodyNames.name(scene, body), tag, List.of());
+            OutlineLine line = new OutlineLine(body, BodyTitles.name(scene, body), tag, List.of());
             if (tag.group().isEmpty()) {
                 lines.add(line);
             } else {

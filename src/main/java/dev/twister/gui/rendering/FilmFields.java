@@ -1,5 +1,6 @@
 package dev.twister.gui.rendering;
 
+import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.PlainBox;
 import dev.twister.render.FrameRange;

@@ -1,7 +1,7 @@
 package dev.twister.gui.studio;
 
+import dev.twister.gui.edit.TrackEdits.KeyMark;
 import dev.twister.gui.controls.Command;
-import dev.twister.gui.edit.KeyMark;
 import dev.twister.gui.edit.KeyframeEdits;
 import dev.twister.gui.edit.TrackEdits;
 import dev.twister.scene.Camera;

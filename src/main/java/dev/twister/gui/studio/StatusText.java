@@ -1,6 +1,6 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.drawing.DrawingStatus;
+import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.property.CameraNumbers;
@@ -89,7 +89,7 @@ public final class StatusText {
     }
 
     /** The rendering thread's activity or failure; may be empty. */
-    public static String message(DrawingStatus status) {
+    public static String message(DrawingLoop.Status status) {
         return Stream.of(
                         status.opening().map(id -> "making engine " + id + " ready…"),
                         status.engineFailure(),

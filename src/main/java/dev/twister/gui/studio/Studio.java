@@ -1,13 +1,12 @@
 package dev.twister.gui.studio;
 
+import dev.twister.gui.drawing.DrawingRequest.Refinement;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawingRequest;
-import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.drawing.EngineChoice;
-import dev.twister.gui.drawing.Refinement;
 import dev.twister.gui.drawing.RefinementGoal;
 import dev.twister.gui.drawing.ResolutionMode;
 import dev.twister.gui.edit.BodyEdits;
@@ -54,7 +53,7 @@ public final class Studio implements AutoCloseable {
     private final ReadOnlyObjectWrapper<ResolutionMode> resolution = new ReadOnlyObjectWrapper<>(ResolutionMode.WINDOW);
     private final ReadOnlyObjectWrapper<Picture> shown = new ReadOnlyObjectWrapper<>(Picture.REFLECTIONS);
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
-    private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
+    private final ReadOnlyObjectWrapper<DrawingLoop.Status> drawing = new ReadOnlyObjectWrapper<>(DrawingLoop.Status.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
     private final ObjectProperty<Double> noiseGoal = new SimpleObjectProperty<>(0.0);
     private final ObjectProperty<Optional<DenoiserOffer>> denoiser = new SimpleObjectProperty<>(Optional.empty());
@@ -162,7 +161,7 @@ public final class Studio implements AutoCloseable {
     }
 
     /** The state of the drawing thread. */
-    public ReadOnlyObjectProperty<DrawingStatus> drawingProperty() {
+    public ReadOnlyObjectProperty<DrawingLoop.Status> drawingProperty() {
         return drawing.getReadOnlyProperty();
     }
 

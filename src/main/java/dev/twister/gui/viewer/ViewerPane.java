@@ -53,7 +53,7 @@ final class ViewerPane extends BorderPane {
     private final Slider exposure = new Slider(-STOPS, STOPS, 0);
     private final List<LightControls> lights = new ArrayList<>();
     private final CheckBox denoise = new CheckBox("with Open Image Denoise");
-    private final RelitDenoising denoising;
+    private final ViewedPicture.Denoising denoising;
     private final CompareControls compare = new CompareControls(this::take);
     private final Supplier<Optional<ShownRadiance>> rendering;
     private Optional<Other> other = Optional.empty();
@@ -95,7 +95,7 @@ final class ViewerPane extends BorderPane {
     ViewerPane(ViewedPicture picture, BackgroundTasks tasks, Supplier<Optional<ShownRadiance>> rendering) {
         this.picture = picture;
         this.tasks = tasks;
-        denoising = new RelitDenoising(picture);
+        denoising = new ViewedPicture.Denoising(picture);
         rest.setOnFinished(_ -> clean());
         this.rendering = rendering;
         shownWidth = picture.width();

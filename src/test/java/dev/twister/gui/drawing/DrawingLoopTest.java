@@ -1,5 +1,7 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.gui.drawing.DrawingRequest.Refinement;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.EngineOffer;
@@ -97,7 +99,7 @@ class DrawingLoopTest {
 
         assertThat(picture.frame().argb()).hasSize(WIDTH * HEIGHT).containsOnly(GREEN);
         // Told after the picture.
-        await(() -> loop.status().equals(DrawingStatus.QUIET));
+        await(() -> loop.status().equals(DrawingLoop.Status.QUIET));
     }
 
     @Test

@@ -1,5 +1,7 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.gui.drawing.DrawnPicture.Gathered;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.EngineOffer;

@@ -1,10 +1,10 @@
 package dev.twister.gui.edit;
 
+import dev.twister.gui.picture.SafeFrame.FrameOutline;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.picking.SelectionBox;
-import dev.twister.gui.picture.FrameOutline;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;

@@ -34,16 +34,16 @@ class SeveralLightsEditsTest {
 
     @Test
     void lightsAreListedFirst() {
-        assertThat(BodyNames.of(scene, SelectedBodies.NONE))
+        assertThat(BodyTitles.of(scene, SelectedBodies.NONE))
                 .containsExactly(BodyNumber.LIGHT, SECOND, THIRD, BodyNumber.PLANE, 2, 3, BodyNumber.ofMesh(0));
-        assertThat(BodyNames.name(scene, BodyNumber.LIGHT)).isEqualTo("Light 1");
-        assertThat(BodyNames.name(scene, THIRD)).isEqualTo("Light 3");
+        assertThat(BodyTitles.name(scene, BodyNumber.LIGHT)).isEqualTo("Light 1");
+        assertThat(BodyTitles.name(scene, THIRD)).isEqualTo("Light 3");
     }
 
     @Test
     void theRoundVisitsEveryBodyOnce() {
         int body = BodyNumber.NONE;
-        for (int expected : BodyNames.of(scene, SelectedBodies.NONE)) {
+        for (int expected : BodyTitles.of(scene, SelectedBodies.NONE)) {
             assertThat(BodyEdits.along(scene, expected, -1)).isEqualTo(body);
             body = BodyEdits.along(scene, body, 1);
             assertThat(body).isEqualTo(expected);

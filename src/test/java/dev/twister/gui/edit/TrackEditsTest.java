@@ -1,5 +1,6 @@
 package dev.twister.gui.edit;
 
+import dev.twister.gui.edit.TrackEdits.KeyMark;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Easing;

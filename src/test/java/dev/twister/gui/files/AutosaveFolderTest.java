@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.ChildJvm;
 import dev.twister.gui.studio.EditedFile;
-import dev.twister.gui.studio.FileMark;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
 import java.io.File;
@@ -21,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 class AutosaveFolderTest {
     private static final Scene SCENE = SceneReader.read(Path.of("scenes", "teaching.json"));
     private static final EditedFile EDITED = new EditedFile(
-            Path.of(File.separatorChar == '/' ? "a\nb.json" : "a b.json").toAbsolutePath(), new FileMark("12ef"));
+            Path.of(File.separatorChar == '/' ? "a\nb.json" : "a b.json").toAbsolutePath(), new EditedFile.Digest("12ef"));
 
     @TempDir
     private Path parent;

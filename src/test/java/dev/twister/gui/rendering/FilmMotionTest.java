@@ -1,5 +1,6 @@
 package dev.twister.gui.rendering;
 
+import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.edit.Scenes;

@@ -1,5 +1,8 @@
 package dev.twister.gui.studio;
 
+import dev.twister.gui.picture.FrameTimesView.GraphScale;
+import dev.twister.gui.drawing.DrawnPicture.Gathered;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -7,10 +10,7 @@ import dev.twister.engine.JvmEngines;
 import dev.twister.gui.WindowScenes;
 import dev.twister.gui.drawing.DrawingRequest;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.drawing.EngineChoice;
-import dev.twister.gui.drawing.Gathered;
 import dev.twister.gui.picture.FrameTimesView;
-import dev.twister.gui.picture.GraphScale;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.SampleWorld;

@@ -28,7 +28,7 @@ class RelitDenoisingTest {
 
     @Test
     void aChangedLightIsDenoisedWithTheGuidesOfTheFile() {
-        RelitDenoising denoising = new RelitDenoising(picture(Optional.of(guides()), true));
+        ViewedPicture.Denoising denoising = new ViewedPicture.Denoising(picture(Optional.of(guides()), true));
 
         assertThat(denoising.isDue(UNCHANGED)).isFalse();
         assertThat(denoising.isDue(TWICE)).isTrue();
@@ -41,13 +41,13 @@ class RelitDenoisingTest {
 
     @Test
     void aNoisyFileIsDenoisedAsItIs() {
-        assertThat(new RelitDenoising(picture(Optional.of(guides()), false)).isDue(UNCHANGED))
+        assertThat(new ViewedPicture.Denoising(picture(Optional.of(guides()), false)).isDue(UNCHANGED))
                 .isTrue();
     }
 
     @Test
     void withoutGuidesNothingIsDone() {
-        assertThat(new RelitDenoising(picture(Optional.empty(), false)).isDue(TWICE))
+        assertThat(new ViewedPicture.Denoising(picture(Optional.empty(), false)).isDue(TWICE))
                 .isFalse();
     }
 

@@ -16,13 +16,13 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-class BodyNamesTest {
+class BodyTitlesTest {
     private final Scene scene = Scenes.scene();
 
     @Test
     void bodiesAreListedInTheirOrder() {
-        assertThat(BodyNames.of(scene, SelectedBodies.NONE)).containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 2, 3);
-        assertThat(BodyNames.name(scene, 3)).isEqualTo("Sphere 2");
+        assertThat(BodyTitles.of(scene, SelectedBodies.NONE)).containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 2, 3);
+        assertThat(BodyTitles.name(scene, 3)).isEqualTo("Sphere 2");
     }
 
     @Test
@@ -30,7 +30,7 @@ class BodyNamesTest {
         Sphere sphere = scene.spheres().getFirst();
         Scene crowd = scene.withSpheres(Collections.nCopies(2000, sphere));
 
-        assertThat(BodyNames.of(crowd, SelectedBodies.of(List.of(700, 30))))
+        assertThat(BodyTitles.of(crowd, SelectedBodies.of(List.of(700, 30))))
                 .containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 30, 700);
     }
 
@@ -42,9 +42,9 @@ class BodyNamesTest {
                 .withMeshes(List.of(knot, knot.withMaterial(glass)));
         int first = BodyNumber.ofMesh(0);
 
-        assertThat(BodyNames.of(meshes, SelectedBodies.NONE)).endsWith(3, first, first + 1);
-        assertThat(BodyNames.name(meshes, first)).isEqualTo("Mesh 1 (knot.obj)");
-        assertThat(BodyNames.name(meshes, first + 1)).isEqualTo("Mesh 2 (knot.obj), glass");
+        assertThat(BodyTitles.of(meshes, SelectedBodies.NONE)).endsWith(3, first, first + 1);
+        assertThat(BodyTitles.name(meshes, first)).isEqualTo("Mesh 1 (knot.obj)");
+        assertThat(BodyTitles.name(meshes, first + 1)).isEqualTo("Mesh 2 (knot.obj), glass");
     }
 
     @Test

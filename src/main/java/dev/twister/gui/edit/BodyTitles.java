@@ -8,11 +8,11 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /** The bodies that the user can choose by name. */
-public final class BodyNames {
+public final class BodyTitles {
     /** Of more lights, spheres or meshes, only the selected ones are listed, and no more of those. */
     private static final int MOST = 1000;
 
-    private BodyNames() {}
+    private BodyTitles() {}
 
     /** The lights, the plane, then the spheres and the meshes in the scene's order; last a poured sphere. */
     public static List<Integer> of(Scene scene, SelectedBodies selected) {
