@@ -1,6 +1,5 @@
 package dev.twister.gui;
 
-import dev.twister.gui.edit.SceneHistory;
 import dev.twister.gui.bodies.BodyActions;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.Command.Group;
@@ -9,6 +8,7 @@ import dev.twister.gui.controls.Ids;
 import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.SceneHistory;
 import dev.twister.gui.edit.TagEdits;
 import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.SettingsKeeper;

@@ -15,7 +15,6 @@ import dev.twister.gui.camera.OrbitMouse;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Dialogs;
-import dev.twister.gui.controls.Problems;
 import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.BodyTransform;
@@ -218,7 +217,7 @@ final class Workbench implements AutoCloseable {
         tasks.run(
                 () -> SkyList.in(options.shipped().skyboxes()),
                 panel::offerSkies,
-                problem -> studio.notice(Problems.explain(problem)));
+                problem -> studio.notice(Dialogs.explain(problem)));
         if (!settings.settings().get(WindowSettings.HINT_SEEN)) {
             HintLine hint =
                     new HintLine(picture, () -> settings.change(kept -> kept.with(WindowSettings.HINT_SEEN, true)));

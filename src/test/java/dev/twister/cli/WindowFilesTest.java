@@ -1,12 +1,12 @@
 package dev.twister.cli;
 
-import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.Engines;
 import dev.twister.gui.rendering.FilmMotion;
 import dev.twister.gui.rendering.RenderJob;
 import dev.twister.gui.rendering.WindowOrder;
+import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.physics.Simulation;
 import dev.twister.render.FrameRange;
 import dev.twister.render.RenderOrder;

@@ -1,9 +1,9 @@
 package dev.twister.gui;
 
-import dev.twister.gui.files.WindowSettings;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import java.util.List;

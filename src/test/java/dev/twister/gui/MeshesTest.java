@@ -13,7 +13,6 @@ import dev.twister.gui.files.AutosaveFolder;
 import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.picture.PictureView;
-import dev.twister.gui.property.MaterialPreset;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
@@ -277,8 +276,8 @@ class MeshesTest {
                 .contains(WindowDriver.call(() -> driver.studio.bodies().fileMaterial(SECOND)));
         type("Roughness", "0.5");
         assertThat(BodyMaterials.of(now(), FIRST).roughness()).isEqualTo(0.5);
-        ComboBox<Optional<MaterialPreset>> box = box("Preset");
-        driver.run(() -> box.setValue(Optional.of(MaterialPreset.GLASS)));
+        ComboBox<Optional<BodyMaterials.Preset>> box = box("Preset");
+        driver.run(() -> box.setValue(Optional.of(BodyMaterials.Preset.GLASS)));
         assertThat(BodyMaterials.of(now(), FIRST).transmission()).isEqualTo(1);
         assertThat(mesh(SECOND).material()).isEmpty();
         driver.run(() -> ((CheckBox) row("Own material").firstControl()).fire());

@@ -1,9 +1,9 @@
 package dev.twister.gui;
 
-import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.ResolutionMode;
 import dev.twister.gui.studio.Studio;

@@ -9,8 +9,7 @@ import dev.twister.gui.edit.BodyTitles;
 import dev.twister.gui.edit.DraggedBodies;
 import dev.twister.gui.edit.TagEdits;
 import dev.twister.gui.picking.BodyDrag;
-import dev.twister.gui.picking.BodyPicker;
-import dev.twister.gui.picking.FocusPoint;
+import dev.twister.gui.picking.PointerRay;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.property.CameraNumbers;
@@ -293,7 +292,7 @@ public final class BodyMouse {
                     Point2D place = place(event);
                     double meters = CameraNumbers.FOCUS_DISTANCE
                             .scale()
-                            .rounded(FocusPoint.distance(picture.input(), place.getX(), place.getY()));
+                            .rounded(PointerRay.focusDistance(picture.input(), place.getX(), place.getY()));
                     studio.edit(
                             "focus distance",
                             scene -> scene.withCamera(scene.camera().withFocusDistance(meters)));
@@ -318,7 +317,7 @@ public final class BodyMouse {
                 .filter(_ -> view.place().contains(event.getX(), event.getY()))
                 .map(picture -> {
                     Point2D place = place(event);
-                    return picture.sceneBody(BodyPicker.bodyAt(picture.input(), place.getX(), place.getY()));
+                    return picture.sceneBody(PointerRay.bodyAt(picture.input(), place.getX(), place.getY()));
                 })
                 .flatMap(body -> studio.picturedBodies().map(bodies -> bodies.inScene(body)));
     }

@@ -1,12 +1,12 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.UnknownEngineException;
 import dev.twister.engine.auto.FastestEngine;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;

@@ -1,11 +1,11 @@
 package dev.twister.gui.drawing;
 
 import dev.twister.denoise.DenoiserOffer;
-import java.util.Optional;
 import dev.twister.engine.EngineOffer;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
+import java.util.Optional;
 
 /**
  * What to draw.
@@ -90,7 +90,8 @@ public record DrawingRequest(
     }
 
     /**
-     * A choice of an engine. An engine that failed is tried again only when it is chosen again, which makes a new choice.
+     * A choice of an engine. An engine that failed is tried again only when it is chosen again, which makes a new
+     * choice.
      *
      * @param number counts the choices
      */

@@ -1,10 +1,10 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.gui.drawing.DrawnPicture.Gathered;
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.NumberColors;
+import dev.twister.gui.drawing.DrawnPicture.Gathered;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;

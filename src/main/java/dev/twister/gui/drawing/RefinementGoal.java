@@ -5,14 +5,23 @@ import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.world.Picture;
+import java.util.List;
 
-/** How many samples per pixel a picture at rest gathers. */
+/** How many samples per pixel a picture at rest gathers, and the noise at which it stops earlier. */
 public final class RefinementGoal {
     /** Smooths edges. */
     public static final int SHARP = 64;
 
     /** Of a scene with a lens, rough surfaces or path tracing: its noise is a 32nd of one sample's. */
     public static final int NOISY = 1024;
+
+    /** All samples are gathered. */
+    public static final double NO_NOISE = 0;
+
+    /** What the window offers. */
+    public static final List<Double> NOISES = List.of(NO_NOISE, 0.05, 0.02, 0.01, 0.005, 0.002);
+
+    private static final double PERCENT = 100;
 
     private RefinementGoal() {}
 
@@ -49,5 +58,10 @@ public final class RefinementGoal {
     /** A matte surface is the same, however rough. */
     private static boolean isRough(Material material) {
         return material.roughness() > 0 && (material.reflectivity() > 0 || material.transmission() > 0);
+    }
+
+    /** The displayed text of a noise, relative to white. */
+    public static String noiseLabel(double goal) {
+        return goal == NO_NOISE ? "never" : goal * PERCENT + " %";
     }
 }

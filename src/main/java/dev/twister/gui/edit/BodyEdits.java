@@ -6,10 +6,13 @@ import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
+import dev.twister.world.SceneMeshes;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -292,5 +295,36 @@ public final class BodyEdits {
 
     public static Scene editedMesh(Scene scene, int body, UnaryOperator<Mesh> edit) {
         return edited(scene, Set.of(body), (_, sphere) -> sphere, (_, mesh) -> edit.apply(mesh));
+    }
+
+    /**
+     * The scene with spheres and meshes standing on the ground; lights, locked bodies and meshes that have not been
+     * read stay.
+     *
+     * @param meshes of the scene
+     */
+    public static Scene onGround(Scene scene, SceneMeshes meshes, Set<Integer> bodies) {
+        double ground = scene.ground().height();
+        Map<Integer, Vector3> places = new LinkedHashMap<>();
+        for (int body : bodies) {
+            boolean unread = isMesh(scene, body) && !meshes.holds(mesh(scene, body));
+            if (isSolid(scene, body) && isFree(scene, body) && !unread) {
+                Vector3 now = position(scene, body);
+                double lowest = lowest(scene, meshes, body);
+                places.put(body, SceneLimits.POSITION.clamp(Axis.Y.with(now, now.y() + ground - lowest)));
+            }
+        }
+        return moved(scene, places);
+    }
+
+    private static double lowest(Scene scene, SceneMeshes meshes, int body) {
+        if (isSphere(scene, body)) {
+            return position(scene, body).y() - sphere(scene, body).radius();
+        }
+        Mesh mesh = mesh(scene, body);
+        return meshes.farPoints(mesh).stream()
+                .mapToDouble(Vector3::y)
+                .min()
+                .orElse(mesh.position().y());
     }
 }

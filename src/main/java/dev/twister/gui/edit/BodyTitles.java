@@ -1,13 +1,15 @@
 package dev.twister.gui.edit;
 
 import dev.twister.scene.Scene;
+import dev.twister.scene.TrackTarget;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** The bodies that the user can choose by name. */
+/** The displayed names of bodies and of what has keyframes. */
 public final class BodyTitles {
     /** Of more lights, spheres or meshes, only the selected ones are listed, and no more of those. */
     private static final int MOST = 1000;
@@ -15,7 +17,7 @@ public final class BodyTitles {
     private BodyTitles() {}
 
     /** The lights, the plane, then the spheres and the meshes in the scene's order; last a poured sphere. */
-    public static List<Integer> of(Scene scene, SelectedBodies selected) {
+    public static List<Integer> listed(Scene scene, SelectedBodies selected) {
         int spheres = scene.spheres().size();
         int meshes = scene.meshes().size();
         return Stream.of(
@@ -73,5 +75,39 @@ public final class BodyTitles {
             case BodyNumber.PLANE -> "Plane";
             default -> "Sphere " + (BodyNumber.sphere(body) + 1);
         };
+    }
+
+    /** Such as {@code Sphere 3} or {@code Sky}. */
+    public static String of(Scene scene, TrackTarget target) {
+        return switch (target.kind()) {
+            case CAMERA -> "Camera";
+            case LIGHT -> title(scene, BodyNumber.ofLight(target.index()));
+            case PLANE -> "Plane";
+            case SPHERE -> title(scene, BodyNumber.ofSphere(target.index()));
+            case MESH -> title(scene, BodyNumber.ofMesh(target.index()));
+            case SKY -> "Sky";
+            case SHADING -> "Ambient light";
+            case RENDERING -> "Picture";
+        };
+    }
+
+    /** Such as {@code Emission strength}. */
+    public static String property(String name) {
+        String words = name.replaceAll("([A-Z])", " $1").toLowerCase(Locale.ROOT);
+        return words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
+    }
+
+    /** What keyframes of a selected body are of; empty for a poured sphere and for nothing. */
+    public static Optional<TrackTarget> target(Scene scene, int body) {
+        if (BodyEdits.isLight(scene, body)) {
+            return Optional.of(TrackTarget.light(BodyNumber.light(body)));
+        }
+        if (BodyEdits.isMesh(scene, body)) {
+            return Optional.of(TrackTarget.mesh(BodyNumber.mesh(body)));
+        }
+        if (BodyEdits.isSphere(scene, body)) {
+            return Optional.of(TrackTarget.sphere(BodyNumber.sphere(body)));
+        }
+        return Optional.of(TrackTarget.PLANE).filter(_ -> body == BodyNumber.PLANE);
     }
 }

@@ -1,12 +1,12 @@
 package dev.twister.gui.edit;
 
 import dev.twister.physics.SameSpheres;
-import dev.twister.scene.Vector3;
-import java.util.ArrayList;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.IdentityHashMap;
@@ -249,8 +249,8 @@ public final class SceneHistory {
         private CarriedSpheres() {}
 
         /**
-         * Applies the edit that turned one list into another to the present list: spheres that the edit does not move stay
-         * at their present places.
+         * Applies the edit that turned one list into another to the present list: spheres that the edit does not move
+         * stay at their present places.
          *
          * @param present the spheres of {@code from}, in the same order, at their present places
          */

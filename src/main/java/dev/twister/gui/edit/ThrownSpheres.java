@@ -2,16 +2,16 @@ package dev.twister.gui.edit;
 
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.Map;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 

@@ -135,8 +135,8 @@ public record AutosaveFolder(Optional<Path> folder, Duration delay) {
         try {
             return line < 0
                     ? Optional.empty()
-                    : Optional.of(
-                            new EditedFile(Path.of(text.substring(line + 1)), new EditedFile.Digest(text.substring(0, line))));
+                    : Optional.of(new EditedFile(
+                            Path.of(text.substring(line + 1)), new EditedFile.Digest(text.substring(0, line))));
         } catch (InvalidPathException _) {
             return Optional.empty();
         }

@@ -2,7 +2,6 @@ package dev.twister.gui.files;
 
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
-import dev.twister.gui.controls.Problems;
 import dev.twister.gui.edit.SceneHistory;
 import dev.twister.gui.property.DaylightFile;
 import dev.twister.gui.studio.BackgroundTasks;
@@ -77,7 +76,7 @@ public final class SceneSaving {
             tasks.keepFile(
                     () -> "",
                     _ -> afterSaving(action),
-                    problem -> dialogs.complain("Couldn't keep the scene", Problems.explain(problem)));
+                    problem -> dialogs.complain("Couldn't keep the scene", Dialogs.explain(problem)));
         } else if (document.editsProperty().get().changed()) {
             // The scene may be edited while it is written: so ask again afterwards.
             dialogs.askToSave(
@@ -122,7 +121,7 @@ public final class SceneSaving {
         if (!FileNames.absolute(own).equals(FileNames.absolute(copy))) {
             Title original = document.original().title();
             boolean isShipped = shipped.isScene(own);
-            studio.edit("name", scene -> scene.withTitle(CopiedTitle.of(scene.title(), original, copy, isShipped)));
+            studio.edit("name", scene -> scene.withTitle(copiedTitle(scene.title(), original, copy, isShipped)));
             studio.endGesture();
         }
     }
@@ -191,6 +190,25 @@ public final class SceneSaving {
     }
 
     private void complain(Throwable problem) {
-        dialogs.complain("Couldn't save the scene", Problems.explain(problem));
+        dialogs.complain("Couldn't save the scene", Dialogs.explain(problem));
+    }
+
+    /**
+     * The title of the copy.
+     *
+     * @param title that the scene has now
+     * @param original that of the file it was read from
+     * @param shipped whether that is a shipped scene, whose description is of no other
+     */
+    public static Title copiedTitle(Title title, Title original, Path copy, boolean shipped) {
+        Title named = title.name().equals(original.name()) ? title.withName(stem(copy)) : title;
+        boolean described = !shipped || !title.description().equals(original.description());
+        return described ? named : named.withDescription("");
+    }
+
+    private static String stem(Path file) {
+        String name = file.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        return dot > 0 ? name.substring(0, dot) : name;
     }
 }

@@ -25,7 +25,7 @@ public record OutlineLine(int body, String text, Tag tag, List<Integer> members)
     public static List<OutlineLine> of(Scene scene, SelectedBodies selected, Set<String> folded) {
         List<OutlineLine> lines = new ArrayList<>();
         Map<String, List<OutlineLine>> groups = new LinkedHashMap<>();
-        for (int body : BodyTitles.of(scene, selected)) {
+        for (int body : BodyTitles.listed(scene, selected)) {
             Tag tag = TagEdits.of(scene, body);
             OutlineLine line = new OutlineLine(body, BodyTitles.name(scene, body), tag, List.of());
             if (tag.group().isEmpty()) {

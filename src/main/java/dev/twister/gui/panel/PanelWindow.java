@@ -132,7 +132,8 @@ public final class PanelWindow {
     }
 
     private void keepPlace() {
-        WindowSettings.Bounds place = new WindowSettings.Bounds(stage.getX(), stage.getY(), stage.getWidth(), stage.getHeight());
+        WindowSettings.Bounds place =
+                new WindowSettings.Bounds(stage.getX(), stage.getY(), stage.getWidth(), stage.getHeight());
         settings.change(place::keptIn);
     }
 

@@ -4,6 +4,7 @@ import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Surface;
+import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
 import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
@@ -91,5 +92,36 @@ public record PointerRay(float[] path, int body, Bodies bodies) {
                 origin.x() + path[Layout.ORIGIN] + meters * direction(0),
                 origin.y() + path[Layout.ORIGIN + 1] + meters * direction(1),
                 origin.z() + path[Layout.ORIGIN + 2] + meters * direction(2));
+    }
+
+    /**
+     * The body that is seen there: {@link Layout#LIGHT}, {@link Layout#PLANE}, a sphere's index from
+     * {@link Layout#FIRST_SPHERE} on, or {@link Layout#NOTHING} for the sky.
+     *
+     * @param x in pixels of the picture from its left border
+     * @param y in pixels from its upper border
+     */
+    public static int bodyAt(FrameInput input, double x, double y) {
+        return through(input, x, y).body();
+    }
+
+    /**
+     * The focus distance at which a place on the picture is sharp: along the camera's forward axis, in meters, within
+     * what a scene may have; for the sky the largest.
+     *
+     * @param x in pixels of the picture from its left border
+     * @param y in pixels from its upper border
+     */
+    public static double focusDistance(FrameInput input, double x, double y) {
+        PointerRay ray = through(input, x, y);
+        if (ray.body() == Layout.NOTHING) {
+            return SceneLimits.FOCUS_DISTANCE.max();
+        }
+        float[] camera = input.view().frame();
+        double cosine = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            cosine += ray.direction(axis) * camera[Layout.CAMERA_FORWARD + axis];
+        }
+        return SceneLimits.FOCUS_DISTANCE.clamp(ray.distance() * cosine);
     }
 }

@@ -1,9 +1,9 @@
 package dev.twister.gui.picture;
 
-import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawingRequest;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.Frame;

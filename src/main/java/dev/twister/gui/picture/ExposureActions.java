@@ -1,7 +1,7 @@
 package dev.twister.gui.picture;
 
 import dev.twister.engine.ExposureMeter;
-import dev.twister.gui.controls.Problems;
+import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.property.SceneNumbers;
 import dev.twister.gui.studio.BackgroundTasks;
@@ -45,7 +45,7 @@ public final class ExposureActions {
                         set(stops);
                     }
                 },
-                problem -> studio.notice(Problems.explain(problem)));
+                problem -> studio.notice(Dialogs.explain(problem)));
     }
 
     private void set(OptionalDouble measured) {

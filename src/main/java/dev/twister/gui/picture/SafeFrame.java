@@ -47,7 +47,9 @@ public final class SafeFrame extends Pane {
         }
     }
 
-    /** The size, in a view, of what a picture of other proportions shows: the field of view is over the shorter side. */
+    /**
+     * The size, in a view, of what a picture of other proportions shows: the field of view is over the shorter side.
+     */
     public record FrameOutline(double width, double height) {
         /** The outline of an output in a view of the same camera. */
         public static FrameOutline of(double viewWidth, double viewHeight, double outputWidth, double outputHeight) {

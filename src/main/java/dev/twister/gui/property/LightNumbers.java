@@ -1,10 +1,10 @@
 package dev.twister.gui.property;
 
-import dev.twister.scene.Rgb;
 import dev.twister.gui.edit.Axis;
 import dev.twister.gui.property.NumberScale.Spread;
 import dev.twister.scene.Light;
 import dev.twister.scene.Range;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;

@@ -1,8 +1,8 @@
 package dev.twister.gui.rendering;
 
-import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.PlainBox;
+import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.render.FrameRange;
 import dev.twister.scene.Range;
 import dev.twister.scene.Scene;

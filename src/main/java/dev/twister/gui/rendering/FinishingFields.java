@@ -2,14 +2,14 @@ package dev.twister.gui.rendering;
 
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.denoise.Denoisers;
-import java.util.concurrent.CompletableFuture;
-import javafx.application.Platform;
 import dev.twister.gui.controls.PlainBox;
-import dev.twister.gui.drawing.NoiseGoal;
+import dev.twister.gui.drawing.RefinementGoal;
 import dev.twister.render.Finishing;
 import dev.twister.render.RenderOrder;
 import dev.twister.render.Sampling;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import javafx.application.Platform;
 import javafx.scene.control.CheckBox;
 
 /** What is done about noise, and which layers a file gets. */
@@ -20,8 +20,8 @@ final class FinishingFields {
 
     /** @param changed called when a person has chosen */
     FinishingFields(Runnable changed) {
-        noise = new PlainBox<>("render-noise", NoiseGoal::label, changed);
-        noise.offer(NoiseGoal.ALL, Optional.of(NoiseGoal.NONE));
+        noise = new PlainBox<>("render-noise", RefinementGoal::noiseLabel, changed);
+        noise.offer(RefinementGoal.NOISES, Optional.of(RefinementGoal.NO_NOISE));
         denoiser = new DenoiserChoice(changed);
         lightLayers.setId("render-light-layers");
         lightLayers.setOnAction(_ -> changed.run());
@@ -103,8 +103,8 @@ final class FinishingFields {
         private void show(DenoiserOffer offer) {
             found = Optional.of(offer).filter(DenoiserOffer::works);
             box.setDisable(found.isEmpty());
-            box.setText(
-                    found.map(_ -> "with Open Image Denoise").orElse("needs Open Image Denoise, see 'twister devices'"));
+            box.setText(found.map(_ -> "with Open Image Denoise")
+                    .orElse("needs Open Image Denoise, see 'twister devices'"));
         }
 
         /** The denoiser, if the noise is to be removed. */

@@ -1,11 +1,11 @@
 package dev.twister.gui.rendering;
 
-import javafx.geometry.Pos;
 import dev.twister.gui.controls.OwnedWindows;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
 import javafx.css.PseudoClass;
+import javafx.geometry.Pos;
 import javafx.scene.Scene;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;

@@ -19,7 +19,8 @@ public final class Document {
     private final ReadOnlyObjectWrapper<Scene> scene;
     private final ReadOnlyObjectWrapper<Scene> original;
     private final ReadOnlyObjectWrapper<EditedFile> file;
-    private final ReadOnlyObjectWrapper<SceneHistory.State> edits = new ReadOnlyObjectWrapper<>(SceneHistory.State.UNTOUCHED);
+    private final ReadOnlyObjectWrapper<SceneHistory.State> edits =
+            new ReadOnlyObjectWrapper<>(SceneHistory.State.UNTOUCHED);
     private final BiConsumer<Scene, Scene> changing;
     private final BiConsumer<Scene, Scene> changed;
     private final BooleanProperty cameraLocked = new SimpleBooleanProperty(false);

@@ -1,9 +1,9 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.edit.TrackEdits.KeyMark;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.edit.KeyframeEdits;
 import dev.twister.gui.edit.TrackEdits;
+import dev.twister.gui.edit.TrackEdits.KeyMark;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;

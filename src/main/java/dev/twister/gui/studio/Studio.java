@@ -1,11 +1,11 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.drawing.DrawingRequest.Refinement;
-import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawingRequest;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
+import dev.twister.gui.drawing.DrawingRequest.Refinement;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.RefinementGoal;
 import dev.twister.gui.drawing.ResolutionMode;
@@ -16,7 +16,10 @@ import dev.twister.image.PictureSize;
 import dev.twister.scene.Body;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneBodies;
+import dev.twister.scene.VisibleBodies;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -53,7 +56,8 @@ public final class Studio implements AutoCloseable {
     private final ReadOnlyObjectWrapper<ResolutionMode> resolution = new ReadOnlyObjectWrapper<>(ResolutionMode.WINDOW);
     private final ReadOnlyObjectWrapper<Picture> shown = new ReadOnlyObjectWrapper<>(Picture.REFLECTIONS);
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
-    private final ReadOnlyObjectWrapper<DrawingLoop.Status> drawing = new ReadOnlyObjectWrapper<>(DrawingLoop.Status.QUIET);
+    private final ReadOnlyObjectWrapper<DrawingLoop.Status> drawing =
+            new ReadOnlyObjectWrapper<>(DrawingLoop.Status.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
     private final ObjectProperty<Double> noiseGoal = new SimpleObjectProperty<>(0.0);
     private final ObjectProperty<Optional<DenoiserOffer>> denoiser = new SimpleObjectProperty<>(Optional.empty());
@@ -452,6 +456,25 @@ public final class Studio implements AutoCloseable {
                     refinement,
                     motion.motionProperty().get(),
                     shown.get()));
+        }
+    }
+
+    /** The visible part of the scene. What an edit does not change stays the same list, which is compared at once. */
+    private static final class VisibleScene {
+        private Scene whole = Scene.under(Path.of(""));
+        private SceneBodies bodies = whole.bodies();
+        private Lights lights = whole.lights();
+
+        /** See {@link VisibleBodies#of}; its tracks are those of the whole scene, as a picture has none. */
+        @SuppressWarnings("ReferenceEquality") // an edit makes a new record; to compare all spheres takes longer
+        Scene of(Scene scene) {
+            if (scene.bodies() != whole.bodies() || scene.lights() != whole.lights()) {
+                Scene visible = VisibleBodies.of(scene);
+                bodies = visible.bodies().equals(bodies) ? bodies : visible.bodies();
+                lights = visible.lights().equals(lights) ? lights : visible.lights();
+                whole = scene;
+            }
+            return scene.withBodies(bodies).withLights(lights);
         }
     }
 }

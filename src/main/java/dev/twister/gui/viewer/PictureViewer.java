@@ -2,7 +2,6 @@ package dev.twister.gui.viewer;
 
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.OwnedWindows;
-import dev.twister.gui.controls.Problems;
 import dev.twister.gui.files.FileChoice;
 import dev.twister.gui.picture.ShownRadiance;
 import dev.twister.gui.studio.BackgroundTasks;
@@ -41,7 +40,7 @@ public final class PictureViewer {
             tasks.run(
                     () -> ViewedPicture.read(file),
                     picture -> show(file, picture),
-                    problem -> dialogs.complain("Couldn't open the picture", Problems.explain(problem)));
+                    problem -> dialogs.complain("Couldn't open the picture", Dialogs.explain(problem)));
         });
     }
 

@@ -133,8 +133,8 @@ public record ViewedPicture(
         /** The radiance without noise, if it is known for these factors of the lights. */
         public Optional<float[]> known(List<Rgb> factors) {
             return picture.clean(factors)
-                    .or(() ->
-                            newest.filter(clean -> clean.factors().equals(factors)).map(Clean::radiance));
+                    .or(() -> newest.filter(clean -> clean.factors().equals(factors))
+                            .map(Clean::radiance));
         }
 
         /** Whether {@link #clean} has something to do. */

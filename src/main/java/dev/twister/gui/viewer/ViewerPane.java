@@ -1,6 +1,6 @@
 package dev.twister.gui.viewer;
 
-import dev.twister.gui.controls.Problems;
+import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.picture.ShownRadiance;
 import dev.twister.gui.property.ScreenColor;
 import dev.twister.gui.studio.BackgroundTasks;
@@ -204,7 +204,7 @@ final class ViewerPane extends BorderPane {
         cleaning = false;
         if (problem.isPresent()) {
             denoise.setSelected(false);
-            values.setText(Problems.explain(problem.get().getCause()));
+            values.setText(Dialogs.explain(problem.get().getCause()));
         } else {
             tone();
         }
@@ -273,7 +273,7 @@ final class ViewerPane extends BorderPane {
 
     private void complain(Throwable problem) {
         toning = false;
-        values.setText(Problems.explain(problem));
+        values.setText(Dialogs.explain(problem));
     }
 
     private void zoomTo(double wanted) {

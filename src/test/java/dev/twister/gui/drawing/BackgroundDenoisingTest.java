@@ -1,7 +1,5 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.gui.drawing.DrawingRequest.Refinement;
-import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.denoise.DenoiseException;
@@ -10,6 +8,8 @@ import dev.twister.denoise.DenoiserOffer;
 import dev.twister.denoise.FakeDenoiser;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.WindowScenes;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
+import dev.twister.gui.drawing.DrawingRequest.Refinement;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;

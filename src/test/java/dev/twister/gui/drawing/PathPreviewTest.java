@@ -1,12 +1,12 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.gui.drawing.DrawingRequest.Refinement;
-import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.WindowScenes;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
+import dev.twister.gui.drawing.DrawingRequest.Refinement;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.scene.Integrator;

@@ -1,11 +1,11 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.gui.drawing.DrawnPicture.Gathered;
-import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.WindowScenes;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
+import dev.twister.gui.drawing.DrawnPicture.Gathered;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;

@@ -3,7 +3,6 @@ package dev.twister.gui.edit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.property.MaterialNumbers;
-import dev.twister.gui.property.MaterialPreset;
 import dev.twister.gui.property.NumberProperty;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Material;
@@ -83,15 +82,15 @@ class BodyMaterialsTest {
 
     @ParameterizedTest
     @EnumSource
-    void aPresetIsKnownAgainWhateverTheColorAndTheTexture(MaterialPreset preset) {
+    void aPresetIsKnownAgainWhateverTheColorAndTheTexture(BodyMaterials.Preset preset) {
         Material painted = STEEL.withColor(new Rgb(1, 0, 0)).withTexture(Path.of("earth.png"));
 
         Material applied = preset.appliedTo(painted);
 
-        assertThat(MaterialPreset.of(applied)).contains(preset);
+        assertThat(BodyMaterials.Preset.of(applied)).contains(preset);
         assertThat(applied.color()).isEqualTo(painted.color());
         assertThat(applied.texture()).isEqualTo(painted.texture());
-        assertThat(MaterialPreset.of(applied.withIor(3.21))).isEmpty();
+        assertThat(BodyMaterials.Preset.of(applied.withIor(3.21))).isEmpty();
     }
 
     @Test

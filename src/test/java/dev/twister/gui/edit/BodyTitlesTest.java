@@ -2,6 +2,7 @@ package dev.twister.gui.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.gui.bodies.BodyActions.BodyGroup;
 import dev.twister.scene.Body;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
@@ -21,7 +22,8 @@ class BodyTitlesTest {
 
     @Test
     void bodiesAreListedInTheirOrder() {
-        assertThat(BodyTitles.of(scene, SelectedBodies.NONE)).containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 2, 3);
+        assertThat(BodyTitles.listed(scene, SelectedBodies.NONE))
+                .containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 2, 3);
         assertThat(BodyTitles.name(scene, 3)).isEqualTo("Sphere 2");
     }
 
@@ -30,7 +32,7 @@ class BodyTitlesTest {
         Sphere sphere = scene.spheres().getFirst();
         Scene crowd = scene.withSpheres(Collections.nCopies(2000, sphere));
 
-        assertThat(BodyTitles.of(crowd, SelectedBodies.of(List.of(700, 30))))
+        assertThat(BodyTitles.listed(crowd, SelectedBodies.of(List.of(700, 30))))
                 .containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 30, 700);
     }
 
@@ -42,7 +44,7 @@ class BodyTitlesTest {
                 .withMeshes(List.of(knot, knot.withMaterial(glass)));
         int first = BodyNumber.ofMesh(0);
 
-        assertThat(BodyTitles.of(meshes, SelectedBodies.NONE)).endsWith(3, first, first + 1);
+        assertThat(BodyTitles.listed(meshes, SelectedBodies.NONE)).endsWith(3, first, first + 1);
         assertThat(BodyTitles.name(meshes, first)).isEqualTo("Mesh 1 (knot.obj)");
         assertThat(BodyTitles.name(meshes, first + 1)).isEqualTo("Mesh 2 (knot.obj), glass");
     }

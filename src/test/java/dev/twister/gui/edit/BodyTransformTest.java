@@ -1,10 +1,10 @@
 package dev.twister.gui.edit;
 
-import dev.twister.gui.picture.SafeFrame.FrameOutline;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.twister.gui.picking.SelectionBox;
+import dev.twister.gui.bodies.BoxSelection;
+import dev.twister.gui.picture.SafeFrame.FrameOutline;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
@@ -82,7 +82,7 @@ class BodyTransformTest {
 
     @Test
     void aBoxSelectsWhatHasItsMiddleInIt() {
-        List<Integer> inside = SelectionBox.between(
+        List<Integer> inside = BoxSelection.Box.between(
                         Scenes.WIDTH / 2.0 + 5,
                         Scenes.HEIGHT / 2.0 + 5,
                         Scenes.WIDTH / 2.0 - 5,

@@ -30,7 +30,7 @@ class DroppedBodiesTest {
     @Test
     void aSphereStandsOnTheGround() {
         Scene raised = scene.withGround(scene.ground().withHeight(-1));
-        Scene dropped = DroppedBodies.of(raised, SceneMeshes.NONE, Set.of(SPHERE));
+        Scene dropped = BodyEdits.onGround(raised, SceneMeshes.NONE, Set.of(SPHERE));
 
         assertThat(BodyEdits.position(dropped, SPHERE)).isEqualTo(new Vector3(1, -0.5, 2));
     }
@@ -38,7 +38,7 @@ class DroppedBodiesTest {
     @Test
     void aMeshStandsOnItsLowestPoint() {
         SceneMeshes meshes = SceneMeshes.of(scene, _ -> ball);
-        Scene dropped = DroppedBodies.of(scene, meshes, Set.of(MESH));
+        Scene dropped = BodyEdits.onGround(scene, meshes, Set.of(MESH));
 
         assertThat(meshes.farPoints(BodyEdits.mesh(dropped, MESH)).stream()
                         .mapToDouble(Vector3::y)
@@ -50,7 +50,7 @@ class DroppedBodiesTest {
 
     @Test
     void aMeshThatIsNotReadAndALightStay() {
-        assertThat(DroppedBodies.of(scene, SceneMeshes.NONE, Set.of(MESH, BodyNumber.LIGHT)))
+        assertThat(BodyEdits.onGround(scene, SceneMeshes.NONE, Set.of(MESH, BodyNumber.LIGHT)))
                 .isEqualTo(scene);
     }
 }

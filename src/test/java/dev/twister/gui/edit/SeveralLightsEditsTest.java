@@ -2,7 +2,7 @@ package dev.twister.gui.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.picking.BodyPicker;
+import dev.twister.gui.picking.PointerRay;
 import dev.twister.gui.property.LightNumbers;
 import dev.twister.gui.property.NumberProperty;
 import dev.twister.mesh.MeshFile;
@@ -34,7 +34,7 @@ class SeveralLightsEditsTest {
 
     @Test
     void lightsAreListedFirst() {
-        assertThat(BodyTitles.of(scene, SelectedBodies.NONE))
+        assertThat(BodyTitles.listed(scene, SelectedBodies.NONE))
                 .containsExactly(BodyNumber.LIGHT, SECOND, THIRD, BodyNumber.PLANE, 2, 3, BodyNumber.ofMesh(0));
         assertThat(BodyTitles.name(scene, BodyNumber.LIGHT)).isEqualTo("Light 1");
         assertThat(BodyTitles.name(scene, THIRD)).isEqualTo("Light 3");
@@ -43,7 +43,7 @@ class SeveralLightsEditsTest {
     @Test
     void theRoundVisitsEveryBodyOnce() {
         int body = BodyNumber.NONE;
-        for (int expected : BodyTitles.of(scene, SelectedBodies.NONE)) {
+        for (int expected : BodyTitles.listed(scene, SelectedBodies.NONE)) {
             assertThat(BodyEdits.along(scene, expected, -1)).isEqualTo(body);
             body = BodyEdits.along(scene, body, 1);
             assertThat(body).isEqualTo(expected);
@@ -135,7 +135,7 @@ class SeveralLightsEditsTest {
                 scene.lights().with(1, RED.withPosition(new Vector3(0, 2, -5)).withRadius(1)));
         FrameInput input = World.of(near.withMeshes(List.of()), Scenes.SKY).snapshot();
 
-        int body = BodyPicker.bodyAt(input, Scenes.WIDTH / 2.0, Scenes.HEIGHT / 2.0);
+        int body = PointerRay.bodyAt(input, Scenes.WIDTH / 2.0, Scenes.HEIGHT / 2.0);
         assertThat(BodyNumber.inScene(body, input, near, SceneMeshes.NONE)).isEqualTo(SECOND);
     }
 }

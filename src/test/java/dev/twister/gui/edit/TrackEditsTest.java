@@ -1,8 +1,8 @@
 package dev.twister.gui.edit;
 
-import dev.twister.gui.edit.TrackEdits.KeyMark;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.gui.edit.TrackEdits.KeyMark;
 import dev.twister.scene.Easing;
 import dev.twister.scene.Keyframe;
 import dev.twister.scene.Scene;

@@ -20,7 +20,8 @@ import org.junit.jupiter.api.io.TempDir;
 class AutosaveFolderTest {
     private static final Scene SCENE = SceneReader.read(Path.of("scenes", "teaching.json"));
     private static final EditedFile EDITED = new EditedFile(
-            Path.of(File.separatorChar == '/' ? "a\nb.json" : "a b.json").toAbsolutePath(), new EditedFile.Digest("12ef"));
+            Path.of(File.separatorChar == '/' ? "a\nb.json" : "a b.json").toAbsolutePath(),
+            new EditedFile.Digest("12ef"));
 
     @TempDir
     private Path parent;

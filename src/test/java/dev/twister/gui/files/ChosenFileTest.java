@@ -14,13 +14,13 @@ class ChosenFileTest {
 
     @Test
     void anEndingIsAddedWhereThereIsNone() {
-        assertThat(ChosenFile.forScene(folder.resolve("saved"))).isEqualTo(folder.resolve("saved.json"));
-        assertThat(ChosenFile.forScene(folder.resolve("room 1.2"))).isEqualTo(folder.resolve("room 1.2.json"));
-        assertThat(ChosenFile.forScene(folder.resolve("shot.png"))).isEqualTo(folder.resolve("shot.png.json"));
-        assertThat(ChosenFile.forScene(folder.resolve("A.JSON"))).isEqualTo(folder.resolve("A.JSON"));
-        assertThat(ChosenFile.forPicture(folder.resolve("shot"), ".png")).isEqualTo(folder.resolve("shot.png"));
-        assertThat(ChosenFile.forPicture(folder.resolve("shot.png"), ".hdr")).isEqualTo(folder.resolve("shot.hdr"));
-        assertThat(ChosenFile.forPicture(folder.resolve("shot"), ".exr")).isEqualTo(folder.resolve("shot.exr"));
+        assertThat(FileNames.forScene(folder.resolve("saved"))).isEqualTo(folder.resolve("saved.json"));
+        assertThat(FileNames.forScene(folder.resolve("room 1.2"))).isEqualTo(folder.resolve("room 1.2.json"));
+        assertThat(FileNames.forScene(folder.resolve("shot.png"))).isEqualTo(folder.resolve("shot.png.json"));
+        assertThat(FileNames.forScene(folder.resolve("A.JSON"))).isEqualTo(folder.resolve("A.JSON"));
+        assertThat(FileNames.forPicture(folder.resolve("shot"), ".png")).isEqualTo(folder.resolve("shot.png"));
+        assertThat(FileNames.forPicture(folder.resolve("shot.png"), ".hdr")).isEqualTo(folder.resolve("shot.hdr"));
+        assertThat(FileNames.forPicture(folder.resolve("shot"), ".exr")).isEqualTo(folder.resolve("shot.exr"));
     }
 
     @Test
@@ -29,9 +29,9 @@ class ChosenFileTest {
         Files.createFile(folder.resolve("saved-2.json"));
         Files.createFile(folder.resolve("shot.hdr"));
 
-        assertThat(ChosenFile.forScene(folder.resolve("saved"))).isEqualTo(folder.resolve("saved-3.json"));
-        assertThat(ChosenFile.forScene(folder.resolve("saved.json"))).isEqualTo(folder.resolve("saved.json"));
-        assertThat(ChosenFile.forPicture(folder.resolve("shot.png"), ".hdr")).isEqualTo(folder.resolve("shot-2.hdr"));
-        assertThat(ChosenFile.forPicture(folder.resolve("shot.hdr"), ".hdr")).isEqualTo(folder.resolve("shot.hdr"));
+        assertThat(FileNames.forScene(folder.resolve("saved"))).isEqualTo(folder.resolve("saved-3.json"));
+        assertThat(FileNames.forScene(folder.resolve("saved.json"))).isEqualTo(folder.resolve("saved.json"));
+        assertThat(FileNames.forPicture(folder.resolve("shot.png"), ".hdr")).isEqualTo(folder.resolve("shot-2.hdr"));
+        assertThat(FileNames.forPicture(folder.resolve("shot.hdr"), ".hdr")).isEqualTo(folder.resolve("shot.hdr"));
     }
 }

@@ -12,18 +12,18 @@ class CopiedTitleTest {
 
     @Test
     void aCopyIsCalledAsItsFile() {
-        assertThat(CopiedTitle.of(BENCHMARK, BENCHMARK, COPY, false))
+        assertThat(SceneSaving.copiedTitle(BENCHMARK, BENCHMARK, COPY, false))
                 .isEqualTo(new Title("room 1.2", "The paper's scene."));
     }
 
     @Test
     void theDescriptionOfAShippedSceneIsOfNoOther() {
-        assertThat(CopiedTitle.of(BENCHMARK, BENCHMARK, COPY, true)).isEqualTo(new Title("room 1.2", ""));
+        assertThat(SceneSaving.copiedTitle(BENCHMARK, BENCHMARK, COPY, true)).isEqualTo(new Title("room 1.2", ""));
     }
 
     @Test
     void whatSomeoneHasEnteredStays() {
         Title own = new Title("mine", "My own.");
-        assertThat(CopiedTitle.of(own, BENCHMARK, COPY, true)).isEqualTo(own);
+        assertThat(SceneSaving.copiedTitle(own, BENCHMARK, COPY, true)).isEqualTo(own);
     }
 }

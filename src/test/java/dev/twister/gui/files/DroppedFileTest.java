@@ -60,11 +60,11 @@ class DroppedFileTest {
 
     @Test
     void picturesGetAnEndingAndAFreeName() throws IOException {
-        assertThat(PictureFile.withEnding(folder.resolve("a"))).isEqualTo(folder.resolve("a.png"));
-        assertThat(PictureFile.withEnding(folder.resolve("a.HDR"))).isEqualTo(folder.resolve("a.HDR"));
-        assertThat(PictureFile.isLinear(folder.resolve("a.HDR"))).isTrue();
-        assertThat(PictureFile.freeName(folder)).isEqualTo("twister-1.png");
+        assertThat(FileNames.withEnding(folder.resolve("a"))).isEqualTo(folder.resolve("a.png"));
+        assertThat(FileNames.withEnding(folder.resolve("a.HDR"))).isEqualTo(folder.resolve("a.HDR"));
+        assertThat(FileNames.isLinear(folder.resolve("a.HDR"))).isTrue();
+        assertThat(FileNames.freeName(folder)).isEqualTo("twister-1.png");
         Files.createFile(folder.resolve("twister-1.hdr"));
-        assertThat(PictureFile.freeName(folder)).isEqualTo("twister-2.png");
+        assertThat(FileNames.freeName(folder)).isEqualTo("twister-2.png");
     }
 }

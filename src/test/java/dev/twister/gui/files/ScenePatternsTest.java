@@ -10,7 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class ScenePatternsTest {
     private static boolean isOffered(String name) {
-        return ScenePatterns.of("Linux").stream()
+        return FileNames.scenePatterns("Linux").stream()
                 .anyMatch(pattern -> FileSystems.getDefault()
                         .getPathMatcher("glob:" + pattern)
                         .matches(Path.of(name)));
@@ -30,6 +30,6 @@ class ScenePatternsTest {
 
     @Test
     void otherSystemsTakeEndingsAlone() {
-        assertThat(ScenePatterns.of("Windows 11")).containsExactly("*.json");
+        assertThat(FileNames.scenePatterns("Windows 11")).containsExactly("*.json");
     }
 }

@@ -46,7 +46,7 @@ class FreePlaceTest {
     }
 
     private static Sphere sphere(Scene scene) {
-        return NewSphere.inFrontOf(picture(scene), scene, meshes(scene));
+        return NewBodies.sphere(picture(scene), scene, meshes(scene));
     }
 
     private static Scene with(Scene scene, Body body) {
@@ -59,7 +59,7 @@ class FreePlaceTest {
                 && pixel[0] <= Scenes.WIDTH
                 && pixel[1] >= 0
                 && pixel[1] <= Scenes.HEIGHT
-                && BodyPicker.bodyAt(picture(scene), pixel[0], pixel[1]) == body;
+                && PointerRay.bodyAt(picture(scene), pixel[0], pixel[1]) == body;
     }
 
     /** Whether the boxes around two upright shapes have a point in common. */
@@ -115,7 +115,7 @@ class FreePlaceTest {
         Scene edited = empty(0, 15);
         FrameInput before = picture(edited);
         for (int number = 0; number < 5; number++) {
-            edited = with(edited, NewSphere.inFrontOf(before, edited, SceneMeshes.NONE));
+            edited = with(edited, NewBodies.sphere(before, edited, SceneMeshes.NONE));
         }
         for (Sphere sphere : edited.spheres()) {
             assertThat(sphere.position().y()).isEqualTo(1.5);
@@ -129,8 +129,8 @@ class FreePlaceTest {
     @EnumSource(Shape.Kind.class)
     void shapesStandBesideEachOther(Shape.Kind kind) {
         Scene before = empty(40, 15);
-        Scene one = with(before, NewMesh.inFrontOf(picture(before), before, meshes(before), kind));
-        Scene two = with(one, NewMesh.inFrontOf(picture(one), one, meshes(one), kind));
+        Scene one = with(before, NewBodies.mesh(picture(before), before, meshes(before), kind));
+        Scene two = with(one, NewBodies.mesh(picture(one), one, meshes(one), kind));
         Vector3 size = Shape.of(kind, 3).size();
         Vector3 first = two.meshes().getFirst().position();
         Vector3 second = two.meshes().getLast().position();
@@ -144,12 +144,12 @@ class FreePlaceTest {
     @Test
     void aMeshFileStandsBesideAShapeOfItsSize() {
         Scene before = empty(0, 15);
-        Scene one = with(before, NewMesh.inFrontOf(picture(before), before, meshes(before), Shape.Kind.BOX));
+        Scene one = with(before, NewBodies.mesh(picture(before), before, meshes(before), Shape.Kind.BOX));
         Mesh cube = one.meshes().getFirst();
         BodyExtent bounds = BodyExtent.of(one, meshes(one), BodyNumber.ofMesh(0))
                 .movedBy(cube.position().times(-1));
         Vector3 second =
-                NewMesh.inFrontOf(picture(one), one, meshes(one), cube, bounds).position();
+                NewBodies.mesh(picture(one), one, meshes(one), cube, bounds).position();
         assertThat(meet(cube.position(), second, new Vector3(3, 3, 3))).isFalse();
         assertThat(second.y()).isCloseTo(1.5, within(1e-6));
     }
@@ -157,9 +157,9 @@ class FreePlaceTest {
     @Test
     void lightsHangBesideEachOtherOverNewBodies() {
         Scene before = with(empty(0, 15), sphere(empty(0, 15)));
-        Light first = NewLight.over(picture(before), before, SceneMeshes.NONE);
+        Light first = NewBodies.light(picture(before), before, SceneMeshes.NONE);
         Scene one = before.withLights(before.lights().with(List.of(first)));
-        Light second = NewLight.over(picture(one), one, SceneMeshes.NONE);
+        Light second = NewBodies.light(picture(one), one, SceneMeshes.NONE);
         Vector3 sphere = before.spheres().getFirst().position();
         assertThat(first.position().x()).isEqualTo(sphere.x());
         assertThat(first.position().z()).isEqualTo(sphere.z());

@@ -39,7 +39,7 @@ class PickingTest {
 
     private int bodyAt(Vector3 place) {
         double[] pixel = pixelOf(place);
-        return BodyPicker.bodyAt(input, pixel[0], pixel[1]);
+        return PointerRay.bodyAt(input, pixel[0], pixel[1]);
     }
 
     @Test
@@ -64,9 +64,9 @@ class PickingTest {
         FrameInput there = Scenes.input(moved);
         Scene empty = scene.withSpheres(List.of());
         Scene emptyThere = moved.withSpheres(List.of());
-        Vector3 near = NewSphere.inFrontOf(Scenes.input(empty), empty, SceneMeshes.NONE)
-                .position();
-        Vector3 inserted = NewSphere.inFrontOf(Scenes.input(emptyThere), emptyThere, SceneMeshes.NONE)
+        Vector3 near =
+                NewBodies.sphere(Scenes.input(empty), empty, SceneMeshes.NONE).position();
+        Vector3 inserted = NewBodies.sphere(Scenes.input(emptyThere), emptyThere, SceneMeshes.NONE)
                 .position();
         assertThat(inserted.y() - far).isCloseTo(near.y(), within(1e-3));
         Vector3 center = new Vector3(1, far + 3, 2);
@@ -87,9 +87,9 @@ class PickingTest {
     @Test
     void aLensIsFocusedAlongTheForwardAxis() {
         double[] side = pixelOf(new Vector3(3, 0, -4));
-        assertThat(FocusPoint.distance(input, side[0], side[1])).isCloseTo(6, within(1e-4));
+        assertThat(PointerRay.focusDistance(input, side[0], side[1])).isCloseTo(6, within(1e-4));
         double[] sky = pixelOf(new Vector3(0, 7, 0));
-        assertThat(FocusPoint.distance(input, sky[0], sky[1])).isEqualTo(SceneLimits.FOCUS_DISTANCE.max());
+        assertThat(PointerRay.focusDistance(input, sky[0], sky[1])).isEqualTo(SceneLimits.FOCUS_DISTANCE.max());
     }
 
     @Test
@@ -118,7 +118,7 @@ class PickingTest {
         Scene dragged = BodyEdits.moved(scene.withCamera(camera), Layout.FIRST_SPHERE, moved);
         Scene alone = dragged.withSpheres(dragged.spheres().subList(0, 1)).withLights(Lights.of(farAway()));
         // Only the plane may hide it.
-        assertThat(BodyPicker.bodyAt(Scenes.input(alone), x, y)).isIn(Layout.FIRST_SPHERE, Layout.PLANE);
+        assertThat(PointerRay.bodyAt(Scenes.input(alone), x, y)).isIn(Layout.FIRST_SPHERE, Layout.PLANE);
     }
 
     private Light farAway() {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.edit.Scenes;
+import dev.twister.gui.picking.SurfacePoint.RestingBody;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;

@@ -1,9 +1,9 @@
 package dev.twister.gui.rendering;
 
-import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.edit.Scenes;
+import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.render.FrameRange;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;

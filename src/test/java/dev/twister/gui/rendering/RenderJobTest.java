@@ -1,12 +1,12 @@
 package dev.twister.gui.rendering;
 
-import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.edit.Scenes;
+import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.render.FrameRange;
 import dev.twister.render.RenderOrder;
 import dev.twister.scene.Scene;

@@ -1,16 +1,16 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.picture.FrameTimesView.GraphScale;
-import dev.twister.gui.drawing.DrawnPicture.Gathered;
-import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.WindowScenes;
 import dev.twister.gui.drawing.DrawingRequest;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.drawing.DrawnPicture.Gathered;
 import dev.twister.gui.picture.FrameTimesView;
+import dev.twister.gui.picture.FrameTimesView.GraphScale;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.SampleWorld;

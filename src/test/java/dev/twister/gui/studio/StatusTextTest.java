@@ -1,13 +1,13 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.drawing.DrawnPicture.Gathered;
-import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.WindowScenes;
 import dev.twister.gui.drawing.DrawingRequest;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.drawing.DrawnPicture.Gathered;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.scene.Camera;
