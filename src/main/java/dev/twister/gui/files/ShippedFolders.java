@@ -27,6 +27,18 @@ public record ShippedFolders(Path scenes, Path skyboxes) {
         }
     }
 
+    /** The shipped panoramas as absolute paths, by name; none if their folder cannot be read. */
+    public List<Path> skies() {
+        try (Stream<Path> files = Files.list(skyboxes)) {
+            return files.filter(file -> DroppedFile.kind(file) == DroppedFile.Kind.SKYBOX)
+                    .map(FileNames::absolute)
+                    .sorted()
+                    .toList();
+        } catch (IOException _) {
+            return List.of();
+        }
+    }
+
     /** Whether a file, which need not exist, is in the folder of shipped scenes. */
     boolean isScene(Path file) {
         try {
