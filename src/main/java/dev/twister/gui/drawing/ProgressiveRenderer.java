@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiPredicate;
 import java.util.function.Consumer;
+import java.util.function.IntSupplier;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
@@ -53,11 +54,8 @@ final class ProgressiveRenderer implements AutoCloseable {
     private Optional<DrawingRequest> request = Optional.empty();
     private boolean drawn;
 
-    /** Whether a smaller picture has answered the request. */
-    private boolean quick;
-
-    /** The smaller picture of a path-traced one, which gathers samples until the full one is begun. */
-    private Optional<CoarsePicture> coarse = Optional.empty();
+    /** The smaller picture that has answered the request. */
+    private Optional<Preview> preview = Optional.empty();
 
     private int coarseness = COARSEST;
     private Optional<Engine> drawer = Optional.empty();
@@ -137,8 +135,7 @@ final class ProgressiveRenderer implements AutoCloseable {
             refined = refined.filter(old -> old.fits(wanted.width(), wanted.height()));
             refined.ifPresent(RefinedPicture::reset);
             denoising.reset();
-            quick = false;
-            coarse = Optional.empty();
+            preview = Optional.empty();
         }
         try {
             return draw(wanted, engine);
@@ -223,11 +220,11 @@ final class ProgressiveRenderer implements AutoCloseable {
             coarseness /= 2;
             return true;
         }
-        if (!drawn && !quick && drawQuickly(wanted, engine)) {
+        if (!drawn && preview.isEmpty() && drawQuickly(wanted, engine)) {
             return true;
         }
-        if (!drawn && coarse.filter(small -> !small.isDone(clock.getAsLong())).isPresent()) {
-            drawCoarsely(wanted, engine, coarse.orElseThrow());
+        if (!drawn && preview.filter(small -> !small.isDone(clock.getAsLong())).isPresent()) {
+            drawPreview(wanted, engine, preview.orElseThrow());
             return true;
         }
         if (!drawn || (wanted.isContinuous() && !opening)) {
@@ -253,61 +250,29 @@ final class ProgressiveRenderer implements AutoCloseable {
     private boolean drawQuickly(DrawingRequest wanted, Engine engine) {
         boolean unknown = bands.mayTakeLong(engine, input);
         int divisor = unknown
-                ? QuickAnswer.MOST
-                : QuickAnswer.divisor(
-                        bands.knownNanos(engine, input),
-                        input.tracesPaths() ? QuickAnswer.MOST_TRACED : QuickAnswer.MOST);
+                ? Preview.usualDivisor()
+                : Preview.divisor(bands.knownNanos(engine, input), input.tracesPaths());
         if (divisor == 1) {
             return false;
         }
-        quick = true;
         FrameInput small = coarse(divisor);
         long start = clock.getAsLong();
-        if (input.tracesPaths() && wanted.shown() == Picture.REFLECTIONS && watcher.isEmpty()) {
-            CoarsePicture picture = new CoarsePicture(small, start);
-            // Pictures of moving bodies are not refined: each shows another moment.
-            coarse = Optional.of(picture).filter(_ -> !wanted.isContinuous());
-            drawCoarsely(wanted, engine, picture);
-        } else {
-            drawSmall(wanted, engine, small);
-        }
+        boolean gathers = input.tracesPaths() && wanted.shown() == Picture.REFLECTIONS && watcher.isEmpty();
+        Preview drawing = gathers ? Preview.gathering(small, wanted.isContinuous(), start) : Preview.once(small);
+        preview = Optional.of(drawing);
+        drawPreview(wanted, engine, drawing);
         if (unknown || isPreview(wanted)) {
             bands.guess(engine, input, (clock.getAsLong() - start) * divisor * divisor);
         }
         return true;
     }
 
-    private void drawSmall(DrawingRequest wanted, Engine engine, FrameInput small) {
-        Frame frame = exchange.frameToDraw(small.width(), small.height());
-        boolean whole = false;
-        try {
-            whole = render(wanted, small, frame, (seen, pixels) -> {
-                engine.render(seen, pixels);
-                return true;
-            });
-        } finally {
-            if (!whole) {
-                exchange.abandon(frame);
-            }
-        }
-        finish(wanted, small, engine, frame, frame.times(), Gathered.of(small.samplesPerPixel()), false);
-    }
-
-    /** Adds a sample to a smaller picture and shows it. */
-    private void drawCoarsely(DrawingRequest wanted, Engine engine, CoarsePicture picture) {
-        FrameInput small = picture.input();
-        Frame frame = exchange.frameToDraw(small.width(), small.height());
-        boolean whole = false;
-        try {
-            picture.refine(engine, frame);
-            whole = true;
-        } finally {
-            if (!whole) {
-                exchange.abandon(frame);
-            }
-        }
-        Gathered gathered = Gathered.of(picture.samples());
-        finish(wanted, small, engine, frame, frame.times(), gathered, false);
+    private void drawPreview(DrawingRequest wanted, Engine engine, Preview drawing) {
+        BiPredicate<FrameInput, Frame> renderer = (_, pixels) -> {
+            drawing.draw(engine, pixels);
+            return true;
+        };
+        drawFrame(wanted, engine, drawing.input(), renderer, drawing::samples, false);
     }
 
     private FrameInput coarse(int divisor) {
@@ -316,21 +281,30 @@ final class ProgressiveRenderer implements AutoCloseable {
 
     /** Draws the picture; returns whether it was finished. */
     private boolean drawPlain(DrawingRequest wanted, Engine engine, FrameInput seen, boolean again) {
+        BiPredicate<FrameInput, Frame> renderer =
+                (input, pixels) -> bands.draw(engine, input, pixels, nanosLeft -> isInVain(wanted, nanosLeft));
+        return drawFrame(wanted, engine, seen, renderer, seen::samplesPerPixel, again);
+    }
+
+    /** Draws a picture of any size and shows it; returns whether it was finished. */
+    private boolean drawFrame(
+            DrawingRequest wanted,
+            Engine engine,
+            FrameInput seen,
+            BiPredicate<FrameInput, Frame> renderer,
+            IntSupplier samples,
+            boolean again) {
         Frame frame = exchange.frameToDraw(seen.width(), seen.height());
         boolean whole = false;
         try {
-            whole = render(
-                    wanted,
-                    seen,
-                    frame,
-                    (input, pixels) -> bands.draw(engine, input, pixels, nanosLeft -> isInVain(wanted, nanosLeft)));
+            whole = render(wanted, seen, frame, renderer);
         } finally {
             if (!whole) {
                 exchange.abandon(frame);
             }
         }
         if (whole) {
-            finish(wanted, seen, engine, frame, frame.times(), Gathered.of(seen.samplesPerPixel()), again);
+            finish(wanted, seen, engine, frame, frame.times(), Gathered.of(samples.getAsInt()), again);
         }
         return whole;
     }
@@ -364,8 +338,8 @@ final class ProgressiveRenderer implements AutoCloseable {
      */
     private boolean isInVain(DrawingRequest wanted, long nanosLeft) {
         return engines.isReady()
-                || (quick
-                        && nanosLeft > QuickAnswer.LONG_NANOS
+                || (preview.isPresent()
+                        && nanosLeft > Preview.LONG_NANOS
                         && newest.get().filter(this::isAtWork).isEmpty())
                 || newest.get()
                         .filter(request -> request.engine().equals(wanted.engine())

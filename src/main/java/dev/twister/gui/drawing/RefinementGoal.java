@@ -1,6 +1,5 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.scene.Integrator;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -35,7 +34,7 @@ public final class RefinementGoal {
     }
 
     private static boolean isNoisy(Scene scene) {
-        return scene.rendering().integrator() == Integrator.PATH
+        return scene.rendering().integrator().isNoisy()
                 || scene.camera().aperture() > 0
                 || isRough(scene.ground().material())
                 || scene.pour().filter(pour -> isRough(pour.material())).isPresent()
