@@ -39,7 +39,7 @@ public final class Engines {
         return offers(provider -> provider.devices().isEmpty());
     }
 
-    static List<EngineOffer> offers(Predicate<EngineProvider> asked) {
+    public static List<EngineOffer> offers(Predicate<EngineProvider> asked) {
         return providers()
                 .filter(asked)
                 .sorted(Comparator.comparing((EngineProvider provider) -> !(provider instanceof JvmEngines))

@@ -7,7 +7,7 @@ import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
-import dev.twister.scene.Tag;
+import dev.twister.scene.select.Tag;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;

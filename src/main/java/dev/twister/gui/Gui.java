@@ -1,6 +1,6 @@
 package dev.twister.gui;
 
-import dev.twister.bench.WindowRates;
+import dev.twister.bench.report.WindowRates;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
@@ -130,7 +130,7 @@ public final class Gui {
     /** What the window keeps between runs. */
     private record UserFiles(SettingsStore settings, AutosaveFolder autosaves) {
         /** The defaults; nothing is kept. */
-        static final UserFiles NONE =
+        public static final UserFiles NONE =
                 new UserFiles(new SettingsStore(Optional.empty()), new AutosaveFolder(Optional.empty()));
 
         static UserFiles ofThisUser() {

@@ -16,7 +16,7 @@ import dev.twister.gui.model.TagEdits;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Shape;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -178,12 +178,12 @@ final class MenuView extends MenuBar {
         Menu menu = new Menu("Show");
         menu.setId("menu-show");
         ToggleGroup group = new ToggleGroup();
-        for (Picture picture : ShownPictures.all()) {
+        for (StageOrView picture : ShownPictures.all()) {
             RadioMenuItem item = new RadioMenuItem(ShownPictures.label(picture));
             item.setToggleGroup(group);
             item.setOnAction(_ -> studio.setShown(picture));
             studio.shownProperty().subscribe(shown -> item.setSelected(shown == picture));
-            if (picture == Picture.ALBEDO) {
+            if (picture == StageOrView.ALBEDO) {
                 menu.getItems().add(new SeparatorMenuItem());
             }
             menu.getItems().add(item);

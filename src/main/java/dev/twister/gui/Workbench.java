@@ -57,7 +57,7 @@ import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
@@ -474,7 +474,7 @@ final class Workbench implements AutoCloseable {
     }
 
     private void showAlong(int steps) {
-        Picture next = ShownPictures.along(studio.shownProperty().get(), steps);
+        StageOrView next = ShownPictures.along(studio.shownProperty().get(), steps);
         studio.setShown(next);
         studio.notice(ShownPictures.label(next));
     }

@@ -10,7 +10,7 @@ import dev.twister.image.Provenance;
 import dev.twister.world.FrameDigest;
 import dev.twister.world.FrameInput;
 import dev.twister.world.LightGroups;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import dev.twister.world.TonedPixels;
 import java.util.ArrayList;
 import java.util.List;
@@ -43,7 +43,7 @@ final class PictureDrawing implements AutoCloseable {
     /** How the file of a picture is made; equal for all of its parts, except their samples. */
     Provenance provenance(FrameInput whole) {
         String software = "Twister " + TwisterVersion.text();
-        String drawn = order.pictures().stream().map(Picture::id).collect(Collectors.joining(","))
+        String drawn = order.pictures().stream().map(StageOrView::id).collect(Collectors.joining(","))
                 + (order.output().background() == Background.NONE ? ", no background" : "");
         return new Provenance(
                 software,
@@ -54,18 +54,18 @@ final class PictureDrawing implements AutoCloseable {
     }
 
     /** Renders the order's pictures of a frame, or the part of them that it asks for. */
-    List<DrawnAspect> draw(FrameInput whole, RenderProgress progress) {
+    List<RenderedView> draw(FrameInput whole, RenderProgress progress) {
         FrameInput input = order.part().of(whole);
-        List<DrawnAspect> drawn = new ArrayList<>();
-        for (Picture wanted : order.pictures()) {
+        List<RenderedView> drawn = new ArrayList<>();
+        for (StageOrView wanted : order.pictures()) {
             drawn.add(draw(wanted, input.showing(wanted), progress));
         }
         return drawn;
     }
 
-    private DrawnAspect draw(Picture wanted, FrameInput input, RenderProgress progress) {
+    private RenderedView draw(StageOrView wanted, FrameInput input, RenderProgress progress) {
         if (order.output().background() == Background.NONE) {
-            return new DrawnAspect(
+            return new RenderedView(
                     wanted, Cutout.draw(engine(), input, order.sampling().samples(), progress), List.of());
         }
         boolean guided = order.finishing().guides(wanted);
@@ -73,7 +73,7 @@ final class PictureDrawing implements AutoCloseable {
         FrameInput shown = guided ? lightGroups.map(input::withLightLayers).orElseGet(input::withGuides) : input;
         BandedDrawing.Drawn picture = BandedDrawing.draw(engine(), shown, order.sampling(), asRadiance, progress);
         List<ExrChannel> samples = samples(picture.samples());
-        return guided ? finished(wanted, shown, picture, samples) : new DrawnAspect(wanted, picture, samples);
+        return guided ? finished(wanted, shown, picture, samples) : new RenderedView(wanted, picture, samples);
     }
 
     /** The number of samples of each pixel, if they differ and there is one picture alone. */
@@ -83,8 +83,8 @@ final class PictureDrawing implements AutoCloseable {
                 : List.of(new ExrChannel(JoinedPicture.SAMPLES, samples, 0, 1));
     }
 
-    private DrawnAspect finished(
-            Picture wanted, FrameInput shown, BandedDrawing.Drawn drawn, List<ExrChannel> samples) {
+    private RenderedView finished(
+            StageOrView wanted, FrameInput shown, BandedDrawing.Drawn drawn, List<ExrChannel> samples) {
         GuidedPicture guided = new GuidedPicture(
                 drawn.frame(), lightGroups.map(LightGroups::names).orElse(List.of()));
         boolean denoises = order.finishing().denoiser().isPresent();
@@ -92,7 +92,7 @@ final class PictureDrawing implements AutoCloseable {
         Frame written = order.output().isLinear() ? frame : toned(frame, shown);
         List<ExrChannel> layers = new ArrayList<>(guided.channels(denoises));
         layers.addAll(samples);
-        return new DrawnAspect(wanted, drawn.with(written), layers);
+        return new RenderedView(wanted, drawn.with(written), layers);
     }
 
     private static Frame toned(Frame linear, FrameInput input) {

@@ -12,6 +12,11 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
+import dev.twister.world.table.EmitterTable;
+import dev.twister.world.table.Emitters;
+import dev.twister.world.table.LookTable;
+import dev.twister.world.table.MeshBody;
+import dev.twister.world.table.PlaceTable;
 
 /** The mutable state between frames, initialized from a scene. For use by one thread; engines get snapshots. */
 public final class World {

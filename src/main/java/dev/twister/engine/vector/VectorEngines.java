@@ -38,26 +38,26 @@ public final class VectorEngines implements EngineProvider {
     }
 
     /** Opens the engine on a number of threads. */
-    static Engine open(int threads) {
-        return new VectorEngine(threads, new Ways(VectorEngine.CROWD, SmallRehearsal::of), new Drawing());
+    public static Engine open(int threads) {
+        return new VectorEngine(threads, new HierarchyChoice(VectorEngine.CROWD, SmallRehearsal::of), new Drawing());
     }
 
     /** Opens the engine without rehearsals; it uses the hierarchy from {@code crowd} bodies on. */
-    static Engine open(int threads, int crowd) {
+    public static Engine open(int threads, int crowd) {
         return open(threads, crowd, Shortcuts.all());
     }
 
     /** As above, with only the given shortcuts. */
-    static Engine open(int threads, int crowd, Shortcuts shortcuts) {
+    public static Engine open(int threads, int crowd, Shortcuts shortcuts) {
         return open(threads, crowd, new Drawing(shortcuts, new Declined(_ -> false)));
     }
 
     /** As above; the engine declines the bodies whose numbers match. */
-    static Engine open(int threads, int crowd, IntPredicate declined) {
+    public static Engine open(int threads, int crowd, IntPredicate declined) {
         return open(threads, crowd, new Drawing(Shortcuts.all(), new Declined(declined)));
     }
 
     private static Engine open(int threads, int crowd, Drawing drawing) {
-        return new VectorEngine(threads, new Ways(crowd, _ -> new Unrehearsed()), drawing);
+        return new VectorEngine(threads, new HierarchyChoice(crowd, _ -> new Unrehearsed()), drawing);
     }
 }

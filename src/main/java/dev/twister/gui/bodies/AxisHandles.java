@@ -65,7 +65,7 @@ public final class AxisHandles extends Group {
             getChildren().addAll(shade, line, head);
         }
 
-        void place(Point2D start, Point2D tip) {
+        public void place(Point2D start, Point2D tip) {
             Point2D along = tip.subtract(start).normalize();
             Point2D across = new Point2D(-along.getY(), along.getX()).multiply(HEAD_HALF_WIDTH);
             Point2D neck = tip.subtract(along.multiply(HEAD_LENGTH));

@@ -17,9 +17,9 @@ import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Light;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.property.SceneLimits;
 import java.util.List;
 import java.util.Optional;
 

@@ -68,7 +68,7 @@ public final class TransformHandles extends Group {
             getChildren().addAll(shade, line);
         }
 
-        void place(List<AxisHandle.Point> points) {
+        public void place(List<AxisHandle.Point> points) {
             List<Double> coordinates = points.stream()
                     .flatMap(point -> Stream.of(point.x(), point.y()))
                     .toList();
@@ -111,7 +111,7 @@ public final class TransformHandles extends Group {
     }
 
     /** Highlights the handle that is grabbed or would be. */
-    void point(Optional<Handle> pointed) {
+    public void point(Optional<Handle> pointed) {
         rings.forEach((axis, ring) -> ring.line.pseudoClassStateChanged(
                 POINTED, pointed.flatMap(Handle::axis).equals(Optional.of(axis))));
         box.pseudoClassStateChanged(

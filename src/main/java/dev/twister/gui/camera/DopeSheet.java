@@ -66,7 +66,7 @@ public final class DopeSheet extends ScrollPane {
         return selected;
     }
 
-    void select(Set<KeyMark> marks) {
+    public void select(Set<KeyMark> marks) {
         selected = Set.copyOf(marks);
         draw();
     }
@@ -82,7 +82,7 @@ public final class DopeSheet extends ScrollPane {
     }
 
     /** Adds copies of the copied keyframes, the first of them at the present time. */
-    void paste() {
+    public void paste() {
         double present = studio.film().secondsProperty().get();
         Scene before = studio.scene();
         studio.film().edit("paste keyframes", scene -> TrackEdits.copied(scene, copied, present));

@@ -11,7 +11,7 @@ import dev.twister.gui.studio.Film;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.Animation;
 import java.util.List;
 import java.util.Optional;
@@ -64,7 +64,7 @@ public final class FilmBar extends HBox {
 
     /** An item of the list; its index is below 0 if there is no keyframe at the present time. */
     private record Listed(int index, String label) {
-        static Listed of(int index, int count, double seconds) {
+        public static Listed of(int index, int count, double seconds) {
             return new Listed(index, (index + 1) + " of " + count + ": " + KeyframeEdits.text(seconds) + " s");
         }
 

@@ -40,7 +40,7 @@ public final class KeyframeMarks extends Pane {
         slider.maxProperty().subscribe(_ -> place());
     }
 
-    void show(List<CameraKeyframe> now, OptionalInt present) {
+    public void show(List<CameraKeyframe> now, OptionalInt present) {
         keyframes = now;
         while (marks.size() > now.size()) {
             getChildren().remove(marks.removeLast());

@@ -42,7 +42,7 @@ public final class DrawingLoop implements AutoCloseable {
     }
 
     /** For tests: a loop with another clock than {@link System#nanoTime}. */
-    DrawingLoop(SkyShelf skies, MeshShelf meshes, EngineOffer substitute, LongSupplier clock) {
+    public DrawingLoop(SkyShelf skies, MeshShelf meshes, EngineOffer substitute, LongSupplier clock) {
         work = new PictureWork(exchange, skies, meshes, substitute, this::newest, this::wake, clock);
         thread = Thread.ofPlatform().daemon().name("drawing").unstarted(this::run);
     }

@@ -2,7 +2,7 @@ package dev.twister.gui.drawing;
 
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 
 /**
  * What to draw.
@@ -26,10 +26,10 @@ public record DrawingRequest(
         EngineChoice engine,
         Refinement refinement,
         Motion motion,
-        Picture shown) {
+        StageOrView shown) {
     /** A request of the first document, without motion. */
     public DrawingRequest(long number, Scene scene, int width, int height, EngineChoice engine, int refineTo) {
-        this(number, 0, scene, width, height, engine, Refinement.to(refineTo), Motion.NONE, Picture.REFLECTIONS);
+        this(number, 0, scene, width, height, engine, Refinement.to(refineTo), Motion.NONE, StageOrView.REFLECTIONS);
     }
 
     /** Whether the other request has the same picture, on any engine. */

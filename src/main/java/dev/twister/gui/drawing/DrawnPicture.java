@@ -36,7 +36,7 @@ public record DrawnPicture(
         long original,
         long finishedNanos) {
     /** A copy with another frame that has the same pixels. */
-    DrawnPicture in(Frame other) {
+    public DrawnPicture in(Frame other) {
         return new DrawnPicture(
                 other, request, input, meshes, engine, device, times, gathered, number, original, finishedNanos);
     }

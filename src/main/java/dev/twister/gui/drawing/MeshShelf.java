@@ -61,7 +61,7 @@ public final class MeshShelf {
      * @param newDocument grows with each opened scene, whose files are read again; meshes of an older one are not
      *     available
      */
-    synchronized SceneMeshes of(Scene scene, long newDocument) {
+    public synchronized SceneMeshes of(Scene scene, long newDocument) {
         if (newDocument < document) {
             return SceneMeshes.NONE;
         }

@@ -8,7 +8,7 @@ import dev.twister.gui.model.RefinedPicture;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import dev.twister.world.TonedPixels;
 import java.nio.IntBuffer;
 import java.util.Optional;
@@ -110,8 +110,8 @@ final class PictureWork implements AutoCloseable {
     }
 
     /** Numbers need one sample: the mean of two bodies' numbers is the number of a third. */
-    private FrameInput showing(Picture shown, FrameInput input) {
-        if (shown == Picture.REFLECTIONS) {
+    private FrameInput showing(StageOrView shown, FrameInput input) {
+        if (shown == StageOrView.REFLECTIONS) {
             // A sample takes long; at rest, more of them are gathered.
             return input.tracesPaths() && watcher.isEmpty() ? input.withSamples(0, 1) : input;
         }
@@ -263,7 +263,7 @@ final class PictureWork implements AutoCloseable {
         quick = true;
         FrameInput small = coarse(divisor);
         long start = clock.getAsLong();
-        if (input.tracesPaths() && wanted.shown() == Picture.REFLECTIONS && watcher.isEmpty()) {
+        if (input.tracesPaths() && wanted.shown() == StageOrView.REFLECTIONS && watcher.isEmpty()) {
             CoarsePicture picture = new CoarsePicture(small, start);
             // Pictures of moving bodies are not refined: each shows another moment.
             coarse = Optional.of(picture).filter(_ -> !wanted.isContinuous());
@@ -421,7 +421,9 @@ final class PictureWork implements AutoCloseable {
     }
 
     private Optional<DenoiserOffer> denoiser(DrawingRequest wanted) {
-        return wanted.refinement().denoiser().filter(_ -> input.tracesPaths() && wanted.shown() == Picture.REFLECTIONS);
+        return wanted.refinement()
+                .denoiser()
+                .filter(_ -> input.tracesPaths() && wanted.shown() == StageOrView.REFLECTIONS);
     }
 
     /** The picture without its noise, if that is wanted. */

@@ -64,7 +64,7 @@ public final class SkyShelf {
     }
 
     /** A cache that reads files with these readers. */
-    SkyShelf(
+    public SkyShelf(
             BiFunction<Path, Consumer<String>, Skybox> reader,
             BiFunction<Path, Consumer<String>, TextureImage> textureReader) {
         this.reader = reader;
@@ -260,7 +260,7 @@ public final class SkyShelf {
     }
 
     /** Counts how often a file was read again: a panorama with another number is out of date. */
-    synchronized long edition(Path file) {
+    public synchronized long edition(Path file) {
         return editions.getOrDefault(file, 0L);
     }
 

@@ -45,7 +45,7 @@ public enum Axis {
     }
 
     /** A vector's part along this axis. */
-    double of(Vector3 vector) {
+    public double of(Vector3 vector) {
         return vector.dot(direction);
     }
 }

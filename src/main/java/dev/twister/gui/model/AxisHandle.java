@@ -19,12 +19,12 @@ public record AxisHandle(Axis axis, Point middle, Point tip) {
 
     /** A place in the picture, in pixels from its upper left corner. */
     public record Point(double x, double y) {
-        double distance(Point other) {
+        public double distance(Point other) {
             return Math.hypot(other.x - x, other.y - y);
         }
 
         /** To the nearest place of a line. */
-        double distance(Point start, Point end) {
+        public double distance(Point start, Point end) {
             double right = end.x - start.x;
             double down = end.y - start.y;
             double share = ((x - start.x) * right + (y - start.y) * down) / (right * right + down * down);

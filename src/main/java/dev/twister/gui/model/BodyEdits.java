@@ -2,13 +2,13 @@ package dev.twister.gui.model;
 
 import dev.twister.scene.Body;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
-import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.generate.Pour;
+import dev.twister.scene.light.Lights;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -168,7 +168,7 @@ public final class BodyEdits {
     }
 
     /** The scene with movable bodies elsewhere. */
-    static Scene moved(Scene scene, Map<Integer, Vector3> positions) {
+    public static Scene moved(Scene scene, Map<Integer, Vector3> positions) {
         Scene moved = edited(
                 scene,
                 positions.keySet(),
@@ -263,7 +263,7 @@ public final class BodyEdits {
     }
 
     /** The scene with changes of those of the bodies that are spheres or meshes, each told its body's number. */
-    static Scene edited(
+    public static Scene edited(
             Scene scene,
             Set<Integer> bodies,
             BiFunction<Integer, Sphere, Sphere> ofSphere,

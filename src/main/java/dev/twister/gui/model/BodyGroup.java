@@ -2,8 +2,8 @@ package dev.twister.gui.model;
 
 import dev.twister.scene.Body;
 import dev.twister.scene.Light;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.SceneLimits;
 import java.util.List;
 import java.util.stream.Stream;
 

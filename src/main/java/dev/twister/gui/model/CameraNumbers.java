@@ -2,9 +2,9 @@ package dev.twister.gui.model;
 
 import dev.twister.gui.model.NumberScale.Spread;
 import dev.twister.scene.Camera;
-import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.property.Range;
+import dev.twister.scene.property.SceneLimits;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.List;

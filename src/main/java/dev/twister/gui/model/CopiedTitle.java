@@ -1,6 +1,6 @@
 package dev.twister.gui.model;
 
-import dev.twister.scene.Title;
+import dev.twister.scene.select.Title;
 import java.nio.file.Path;
 
 /** The title of a scene that is saved under another name: its own, unless someone has changed it. */

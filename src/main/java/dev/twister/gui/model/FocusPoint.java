@@ -1,7 +1,7 @@
 package dev.twister.gui.model;
 
 import dev.twister.kernel.Layout;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.FrameInput;
 
 /** What a lens is to be focused on. */

@@ -57,7 +57,7 @@ public final class FrameRecorder implements AutoCloseable {
         return start(folder, PngWriter::write);
     }
 
-    static FrameRecorder start(Path folder, PictureWriter pictures) throws IOException {
+    public static FrameRecorder start(Path folder, PictureWriter pictures) throws IOException {
         if (!Files.isDirectory(folder)) {
             throw new IOException("cannot record into " + folder + ": there is no such folder");
         }

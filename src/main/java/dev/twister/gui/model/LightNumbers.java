@@ -2,10 +2,10 @@ package dev.twister.gui.model;
 
 import dev.twister.gui.model.NumberScale.Spread;
 import dev.twister.scene.Light;
-import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shading;
+import dev.twister.scene.property.Range;
+import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.LightStrength;
 import java.util.List;
 import java.util.function.IntSupplier;

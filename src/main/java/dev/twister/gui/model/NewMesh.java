@@ -2,9 +2,9 @@ package dev.twister.gui.model;
 
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneMeshes;
 

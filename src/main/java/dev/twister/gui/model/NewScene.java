@@ -4,12 +4,12 @@ import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
 import java.nio.file.Path;
 
 /** The scene that a person starts from: a floor, a sky and a light, path traced. */

@@ -1,9 +1,9 @@
 package dev.twister.gui.model;
 
 import dev.twister.scene.Camera;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
-import dev.twister.world.CameraMotion;
+import dev.twister.scene.property.SceneLimits;
+import dev.twister.world.animation.CameraMotion;
 
 /** Moves the camera about a point of the scene, as 3D programs do. */
 public final class Orbit {
@@ -17,7 +17,7 @@ public final class Orbit {
 
     /** The camera's unit vectors in the scene. */
     private record Axes(Vector3 right, Vector3 up, Vector3 forward) {
-        static Axes of(Camera camera) {
+        public static Axes of(Camera camera) {
             double yaw = Math.toRadians(camera.yawDegrees());
             double pitch = Math.toRadians(camera.pitchDegrees());
             return new Axes(

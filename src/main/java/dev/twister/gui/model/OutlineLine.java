@@ -1,7 +1,7 @@
 package dev.twister.gui.model;
 
 import dev.twister.scene.Scene;
-import dev.twister.scene.Tag;
+import dev.twister.scene.select.Tag;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

@@ -4,7 +4,7 @@ import dev.twister.scene.Integrator;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 
 /** How many samples per pixel a picture at rest gathers. */
 public final class RefinementGoal {
@@ -17,11 +17,11 @@ public final class RefinementGoal {
     private RefinementGoal() {}
 
     /** At least the scene's own number of samples; one for views of numbers, which are exact with one sample. */
-    public static int samples(Scene scene, Picture shown) {
+    public static int samples(Scene scene, StageOrView shown) {
         return shown.isColor() ? samples(scene) : 1;
     }
 
-    static int samples(Scene scene) {
+    public static int samples(Scene scene) {
         return Math.max(isNoisy(scene) ? NOISY : SHARP, scene.rendering().samplesPerPixel());
     }
 

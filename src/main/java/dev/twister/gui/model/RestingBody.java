@@ -2,8 +2,8 @@ package dev.twister.gui.model;
 
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.SceneMeshes;
 import java.util.List;
 

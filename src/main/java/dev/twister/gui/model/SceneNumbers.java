@@ -1,9 +1,9 @@
 package dev.twister.gui.model;
 
 import dev.twister.gui.model.NumberScale.Spread;
-import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.property.Range;
+import dev.twister.scene.property.SceneLimits;
 import java.util.List;
 
 /** The numbers of a scene that belong to no light, camera or body. */

@@ -15,7 +15,7 @@ public final class ScenePatterns {
     }
 
     /** Linux's dialogs take sets of letters; others take endings alone. */
-    static List<String> of(String system) {
+    public static List<String> of(String system) {
         if (!system.toLowerCase(Locale.ROOT).startsWith("linux")) {
             return List.of("*" + ChosenFile.SCENE);
         }

@@ -1,34 +1,34 @@
 package dev.twister.gui.model;
 
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 
 /** What the window can show of a scene: the stages up to the full picture, then the views. */
 public final class ShownPictures {
-    private static final List<Picture> ALL = Stream.concat(
-                    Picture.stages().stream(),
+    private static final List<StageOrView> ALL = Stream.concat(
+                    StageOrView.stages().stream(),
                     // The last stage is the same picture.
-                    Picture.views().stream().filter(view -> view != Picture.BEAUTY))
+                    StageOrView.views().stream().filter(view -> view != StageOrView.BEAUTY))
             .toList();
 
     private ShownPictures() {}
 
     /** In the order in which they are offered. */
-    public static List<Picture> all() {
+    public static List<StageOrView> all() {
         return ALL;
     }
 
     /** The displayed name, such as {@code Hard shadows}. */
-    public static String label(Picture picture) {
+    public static String label(StageOrView picture) {
         String words = picture.name().toLowerCase(Locale.ROOT).replace('_', ' ');
         String label = words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
-        return picture == Picture.REFLECTIONS ? label + " (full picture)" : label;
+        return picture == StageOrView.REFLECTIONS ? label + " (full picture)" : label;
     }
 
     /** What it shows, in a few words. */
-    public static String hint(Picture picture) {
+    public static String hint(StageOrView picture) {
         return switch (picture) {
             case COLORS -> "The base color of the closest hit.";
             case DIFFUSE -> "Shaded by the angle to the light, without shadows.";
@@ -47,7 +47,7 @@ public final class ShownPictures {
     }
 
     /** The value that many steps further, cyclically; backward if {@code steps} is negative. */
-    public static Picture along(Picture picture, int steps) {
+    public static StageOrView along(StageOrView picture, int steps) {
         return ALL.get(Math.floorMod(ALL.indexOf(picture) + steps, ALL.size()));
     }
 }

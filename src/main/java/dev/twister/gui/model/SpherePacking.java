@@ -1,8 +1,8 @@
 package dev.twister.gui.model;
 
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;

@@ -1,9 +1,9 @@
 package dev.twister.gui.model;
 
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.SceneLimits;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;

@@ -123,12 +123,12 @@ public final class NumberRow extends PanelRow {
     }
 
     /** The rows of a table. */
-    static List<NumberRow> of(List<NumberProperty<Scene>> table, Studio studio) {
+    public static List<NumberRow> of(List<NumberProperty<Scene>> table, Studio studio) {
         return table.stream().map(number -> new NumberRow(number, studio)).toList();
     }
 
     /** Shows the scene's number and enables a reset to the usual scene's. */
-    void show(Scene scene, Scene usual) {
+    public void show(Scene scene, Scene usual) {
         double present = number.read(scene);
         double usualNumber = number.read(usual);
         setReset(present != usualNumber, () -> {

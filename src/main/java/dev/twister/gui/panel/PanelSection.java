@@ -34,7 +34,7 @@ public final class PanelSection extends VBox {
     }
 
     /** Adds a node below the rows. */
-    void add(Node node) {
+    public void add(Node node) {
         content.getChildren().add(node);
     }
 

@@ -25,12 +25,12 @@ public final class SkyList {
     }
 
     /** The known ones, with the scene's own and the one in use where they are elsewhere. */
-    static List<Path> with(List<Path> known, Path own, Path used) {
+    public static List<Path> with(List<Path> known, Path own, Path used) {
         return Stream.concat(known.stream(), Stream.of(own, used)).distinct().toList();
     }
 
     /** What a list shows: the file's name without its ending. */
-    static String label(Path panorama) {
+    public static String label(Path panorama) {
         return DaylightFile.of(panorama).isPresent()
                 ? "Daylight"
                 : String.valueOf(panorama.getFileName()).replaceFirst("\\.[A-Za-z]+$", "");

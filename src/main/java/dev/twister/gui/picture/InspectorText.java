@@ -3,7 +3,7 @@ package dev.twister.gui.picture;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.PixelReading;
 import dev.twister.scene.Rgb;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.Locale;
 
 /** What the inspector says of a pixel. */
@@ -11,7 +11,7 @@ final class InspectorText {
     private InspectorText() {}
 
     /** @param body the body of the pixel, as the scene numbers it */
-    static String of(PixelReading pixel, int body, Picture shown) {
+    static String of(PixelReading pixel, int body, StageOrView shown) {
         return String.format(
                 Locale.ROOT,
                 "x %d   y %d   RGB %d %d %d   #%06X%n%s%n%s   %d %s",
@@ -45,7 +45,7 @@ final class InspectorText {
         };
     }
 
-    private static String value(Rgb value, Picture shown) {
+    private static String value(Rgb value, StageOrView shown) {
         String name = shown.isColor() ? "radiance" : shown.id();
         return shown.isNumber()
                 ? String.format(Locale.ROOT, "%s %.5g", name, value.red())

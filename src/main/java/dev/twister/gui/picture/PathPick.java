@@ -31,7 +31,7 @@ public final class PathPick {
     }
 
     /** The scene's body that a step of the path meets. */
-    int sceneBody(int body) {
+    public int sceneBody(int body) {
         return picked.map(picture -> picture.sceneBody(body)).orElse(body);
     }
 

@@ -40,7 +40,7 @@ public final class PictureView extends Pane {
 
     /** A frame as JavaFX sees it. */
     private record ShownFrame(PixelBuffer<IntBuffer> pixels, WritableImage image) {
-        static ShownFrame of(Frame frame) {
+        public static ShownFrame of(Frame frame) {
             PixelBuffer<IntBuffer> pixels = new PixelBuffer<>(
                     frame.width(), frame.height(), frame.pixels(), PixelFormat.getIntArgbPreInstance());
             return new ShownFrame(pixels, new WritableImage(pixels));
@@ -123,7 +123,7 @@ public final class PictureView extends Pane {
     }
 
     /** Magnifies by a factor; what is at that place of the view stays there. */
-    void zoom(double change, double x, double y) {
+    public void zoom(double change, double x, double y) {
         show(zoom.times(change, across, x, down, y));
     }
 

@@ -3,7 +3,7 @@ package dev.twister.gui.rendering;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.render.RenderOrder;
 import dev.twister.render.TimeLeft;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.Optional;
@@ -31,8 +31,8 @@ final class RenderEstimate {
 
     /** Empty where another engine or another kind of picture would be measured. */
     private static Optional<Duration> time(RenderOrder order, DrawnPicture seen) {
-        Picture shown = seen.request().shown() == Picture.REFLECTIONS
-                ? Picture.BEAUTY
+        StageOrView shown = seen.request().shown() == StageOrView.REFLECTIONS
+                ? StageOrView.BEAUTY
                 : seen.request().shown();
         boolean same =
                 seen.request().engine().offer().id().equals(order.engine().id())

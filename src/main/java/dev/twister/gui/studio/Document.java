@@ -6,7 +6,7 @@ import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
-import dev.twister.world.CameraMotion;
+import dev.twister.world.animation.CameraMotion;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BiConsumer;
@@ -100,7 +100,7 @@ public final class Document {
      *
      * @param what names the edit in the menu, such as "light's size"
      */
-    void edit(String what, UnaryOperator<Scene> change) {
+    public void edit(String what, UnaryOperator<Scene> change) {
         history.edit(what, change.apply(scene.get()));
         refresh();
     }
@@ -111,7 +111,7 @@ public final class Document {
     }
 
     /** Starts a new undo step, for example when the mouse button is released. */
-    void endGesture() {
+    public void endGesture() {
         history.endGesture();
     }
 

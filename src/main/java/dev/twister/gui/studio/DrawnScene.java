@@ -1,9 +1,9 @@
 package dev.twister.gui.studio;
 
-import dev.twister.scene.Lights;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneBodies;
-import dev.twister.scene.VisibleBodies;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.select.SceneBodies;
+import dev.twister.scene.select.VisibleBodies;
 import java.nio.file.Path;
 
 /** The visible part of the scene. What an edit does not change stays the same list, which is compared at once. */

@@ -7,11 +7,11 @@ import dev.twister.gui.model.TrackEdits;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.Animation;
-import dev.twister.world.CameraPath;
+import dev.twister.world.animation.CameraPath;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -97,7 +97,7 @@ public final class Film {
     }
 
     /** Shows all that has tracks as it is at the present time, which is no edit. */
-    void follow() {
+    public void follow() {
         Scene scene = document.scene();
         if (!scene.tracks().isEmpty()) {
             Scene now = Animation.tracked(scene, seconds.get());

@@ -36,7 +36,7 @@ public record OpenedScene(EditedFile file, Scene scene) {
      * @param skyProblem told what is wrong if only the sky is missing
      * @throws dev.twister.scene.SceneException if it is not a scene
      */
-    static OpenedScene read(Path file, Consumer<SceneException> skyProblem) {
+    public static OpenedScene read(Path file, Consumer<SceneException> skyProblem) {
         FileMark mark = FileMark.of(file);
         return new OpenedScene(new EditedFile(file, mark), SceneReader.read(file, skyProblem));
     }

@@ -1,9 +1,9 @@
 package dev.twister.scene.format;
 
-import dev.twister.scene.Alpha;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.material.Alpha;
 import java.util.Optional;
 import java.util.function.Function;
 

@@ -1,5 +1,6 @@
 package dev.twister.scene.format;
 
+import dev.twister.scene.format.json.JsonPath;
 import java.nio.file.Path;
 
 /**

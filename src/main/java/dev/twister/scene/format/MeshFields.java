@@ -6,8 +6,8 @@ import static dev.twister.scene.format.Field.sparse;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.SceneException;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
+import dev.twister.scene.property.SceneLimits;
 import java.nio.file.Path;
 import java.util.List;
 

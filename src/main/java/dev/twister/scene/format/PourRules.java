@@ -1,8 +1,8 @@
 package dev.twister.scene.format;
 
-import dev.twister.scene.Pour;
 import dev.twister.scene.SceneException;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.generate.Pour;
+import dev.twister.scene.property.SceneLimits;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;

@@ -2,6 +2,8 @@ package dev.twister.scene.format;
 
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.format.json.SourceFile;
+import dev.twister.scene.format.json.SourceText;
 import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.function.Consumer;

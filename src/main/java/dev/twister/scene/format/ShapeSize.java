@@ -1,8 +1,8 @@
 package dev.twister.scene.format;
 
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.SceneLimits;
 import java.util.List;
 
 /** The size of a shape: its width, or a number for each axis. */

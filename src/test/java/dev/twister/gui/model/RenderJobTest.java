@@ -8,7 +8,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.render.FrameRange;
 import dev.twister.render.RenderOrder;
 import dev.twister.scene.Scene;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -145,7 +145,7 @@ class RenderJobTest {
         Path file = folder.resolve(name);
         FilmPlan film = new FilmPlan(FilmMotion.PHYSICS, 30, FrameRange.ofCount(frames));
         return frames > 1
-                ? WindowOrder.film(scene, Picture.REFLECTIONS, engine, film, file)
-                : WindowOrder.picture(scene, Picture.REFLECTIONS, engine, Optional.empty(), file);
+                ? WindowOrder.film(scene, StageOrView.REFLECTIONS, engine, film, file)
+                : WindowOrder.picture(scene, StageOrView.REFLECTIONS, engine, Optional.empty(), file);
     }
 }

@@ -2,7 +2,7 @@ package dev.twister.gui.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import org.junit.jupiter.api.Test;
 
 class ShownPicturesTest {
@@ -10,16 +10,16 @@ class ShownPicturesTest {
     void theFullPictureIsOfferedOnce() {
         assertThat(ShownPictures.all())
                 .doesNotHaveDuplicates()
-                .contains(Picture.REFLECTIONS, Picture.TESTS)
-                .doesNotContain(Picture.BEAUTY);
+                .contains(StageOrView.REFLECTIONS, StageOrView.TESTS)
+                .doesNotContain(StageOrView.BEAUTY);
         assertThat(ShownPictures.all().stream().map(ShownPictures::label))
                 .contains("Hard shadows", "Reflections (full picture)", "Normal");
     }
 
     @Test
     void stepsGoRoundAndBack() {
-        assertThat(ShownPictures.along(Picture.TESTS, 1)).isEqualTo(Picture.COLORS);
-        assertThat(ShownPictures.along(Picture.COLORS, -1)).isEqualTo(Picture.TESTS);
-        assertThat(ShownPictures.along(Picture.REFLECTIONS, 1)).isEqualTo(Picture.ALBEDO);
+        assertThat(ShownPictures.along(StageOrView.TESTS, 1)).isEqualTo(StageOrView.COLORS);
+        assertThat(ShownPictures.along(StageOrView.COLORS, -1)).isEqualTo(StageOrView.TESTS);
+        assertThat(ShownPictures.along(StageOrView.REFLECTIONS, 1)).isEqualTo(StageOrView.ALBEDO);
     }
 }

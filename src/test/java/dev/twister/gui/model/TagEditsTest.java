@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Scene;
-import dev.twister.scene.Tag;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.select.Tag;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;

@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.property.SceneLimits;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;

@@ -17,7 +17,7 @@ final class CoincidentHits {
      * @param close one bit per ray, with its distance to the triangle in {@link PacketWalk#MET}
      * @param number the triangle's instance
      */
-    static void decide(Drawing drawing, Tile tile, MeshBench bench, int at, long close, int triangle, int number) {
+    static void decide(Drawing drawing, Tile tile, MeshMemory bench, int at, long close, int triangle, int number) {
         Bodies bodies = drawing.input.bodies();
         float[] frame = drawing.input.view().frame();
         float[] hierarchy = bodies.floats();

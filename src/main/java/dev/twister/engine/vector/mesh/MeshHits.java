@@ -14,13 +14,13 @@ public final class MeshHits {
     private MeshHits() {}
 
     /** Replaces hits and distances of the live rays where a mesh is closer, and writes instances and triangles. */
-    public static void find(Drawing drawing, Tile tile, MeshBench bench) {
+    public static void find(Drawing drawing, Tile tile, MeshMemory bench) {
         for (int k = 0; k < tile.live.count; k++) {
             find(drawing, tile, bench, tile.live.places[k]);
         }
     }
 
-    private static void find(Drawing drawing, Tile tile, MeshBench bench, int at) {
+    private static void find(Drawing drawing, Tile tile, MeshMemory bench, int at) {
         Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.floats();
         PacketWalk world = bench.world;
@@ -38,7 +38,7 @@ public final class MeshHits {
     }
 
     /** Copies the packet's rays to a traversal; returns the first live lane, or a negative number if there is none. */
-    static long start(Tile tile, PacketWalk walk, int at) {
+    public static long start(Tile tile, PacketWalk walk, int at) {
         float[] t = tile.values;
         float[] r = walk.rays;
         for (int axis = 0; axis < 3; axis++) {
@@ -56,7 +56,7 @@ public final class MeshHits {
         return lanes == 0L ? -1 : Long.numberOfTrailingZeros(lanes);
     }
 
-    private static void meet(Drawing drawing, Tile tile, MeshBench bench, int at, int number) {
+    private static void meet(Drawing drawing, Tile tile, MeshMemory bench, int at, int number) {
         Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.floats();
         PacketWalk mesh = bench.mesh;
@@ -89,7 +89,7 @@ public final class MeshHits {
     }
 
     /** Starts the traversal of an instance's triangles; returns one bit per axis that is dominant for any ray. */
-    static int enter(Bodies bodies, Tile tile, MeshBench bench, int instance) {
+    static int enter(Bodies bodies, Tile tile, MeshMemory bench, int instance) {
         float[] hierarchy = bodies.floats();
         PacketWalk mesh = bench.mesh;
         mesh.start(bodies.meshes(), Instance.nodes(hierarchy, instance));
