@@ -64,7 +64,7 @@ final class Completions {
     static final class OfStage implements Iterable<String> {
         @Override
         public Iterator<String> iterator() {
-            return StageOrView.stages().stream().map(StageOrView::id).iterator();
+            return StageOrView.stages().stream().map(StageOrView::stageId).iterator();
         }
     }
 

@@ -2,6 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.world.StageOrView;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
@@ -13,22 +14,23 @@ final class PictureConverter {
     static final class OfStage implements ITypeConverter<StageOrView> {
         @Override
         public StageOrView convert(String text) {
-            return find(text, StageOrView.stages());
+            return find(text, StageOrView.stages(), StageOrView::stageId);
         }
     }
 
     static final class OfView implements ITypeConverter<StageOrView> {
         @Override
         public StageOrView convert(String text) {
-            return find(text, StageOrView.views());
+            return find(text, StageOrView.views(), StageOrView::id);
         }
     }
 
-    private static StageOrView find(String text, List<StageOrView> choices) {
+    private static StageOrView find(
+            String text, List<StageOrView> choices, Function<StageOrView, String> name) {
         return choices.stream()
-                .filter(choice -> choice.id().equalsIgnoreCase(text))
+                .filter(choice -> name.apply(choice).equalsIgnoreCase(text))
                 .findFirst()
                 .orElseThrow(() -> new TypeConversionException("unknown value '" + text + "'; expected one of: "
-                        + choices.stream().map(StageOrView::id).collect(Collectors.joining(", "))));
+                        + choices.stream().map(name).collect(Collectors.joining(", "))));
     }
 }

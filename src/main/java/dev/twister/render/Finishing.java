@@ -26,7 +26,7 @@ public record Finishing(boolean autoExposure, boolean guides, boolean lightLayer
 
     /** Whether a picture has light over all its bounces, which can be denoised. */
     public static boolean isFull(StageOrView picture) {
-        return picture == StageOrView.BEAUTY || picture == StageOrView.REFLECTIONS;
+        return picture == StageOrView.BEAUTY;
     }
 
     /** For metadata of files. */

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
-/** The content of a frame: the picture, one of its stages, or a view. {@link Aspect} defines the values. */
+/** The content of a frame: the full picture, one of its stages, or a view. {@link Aspect} defines the values. */
 public enum StageOrView {
     /** First stage: the base color of the closest hit. */
     COLORS(Aspect.COLORS),
@@ -17,9 +17,7 @@ public enum StageOrView {
     HARD_SHADOWS(Aspect.FULL),
     /** Stage with the scene's number of shadow rays. */
     SOFT_SHADOWS(Aspect.FULL),
-    /** Last stage, with reflection and transmission: the picture itself. */
-    REFLECTIONS(Aspect.FULL),
-    /** First view: the picture itself, by its name in compositing. */
+    /** The full picture: the last stage, with reflection and transmission, and the first view. */
     BEAUTY(Aspect.FULL),
     ALBEDO(Aspect.ALBEDO),
     NORMAL(Aspect.NORMAL),
@@ -40,27 +38,29 @@ public enum StageOrView {
         return aspect;
     }
 
-    /** The stages in order; only the last one has reflections and refractions. */
+    /** The stages in order; only the last one, the full picture, has reflections and refractions. */
     public static List<StageOrView> stages() {
-        return Arrays.stream(values()).filter(StageOrView::isStage).toList();
+        return Arrays.stream(values()).filter(shown -> shown.compareTo(BEAUTY) <= 0).toList();
     }
 
+    /** The full picture and the views. */
     public static List<StageOrView> views() {
-        return Arrays.stream(values()).filter(picture -> !picture.isStage()).toList();
-    }
-
-    private boolean isStage() {
-        return compareTo(REFLECTIONS) <= 0;
+        return Arrays.stream(values()).filter(shown -> shown.compareTo(BEAUTY) >= 0).toList();
     }
 
     /** Whether values are colors, to which exposure and tone map apply; otherwise they are numbers or directions. */
     public boolean isColor() {
-        return isStage() || this == BEAUTY || this == ALBEDO;
+        return compareTo(ALBEDO) <= 0;
     }
 
     /** Whether values are single numbers, equal in all three channels. */
     public boolean isNumber() {
         return compareTo(DEPTH) >= 0;
+    }
+
+    /** The name among the stages; that of the full picture says what it adds. */
+    public String stageId() {
+        return this == BEAUTY ? "reflections" : id();
     }
 
     /** The name for commands, such as {@code hard-shadows}. */
@@ -69,6 +69,6 @@ public enum StageOrView {
     }
 
     public boolean bounces() {
-        return !isStage() || this == REFLECTIONS;
+        return compareTo(BEAUTY) >= 0;
     }
 }

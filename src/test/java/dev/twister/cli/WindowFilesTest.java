@@ -41,14 +41,14 @@ class WindowFilesTest {
     @ParameterizedTest
     @ValueSource(strings = {"a.png", "a.hdr", "a.exr"})
     void pictures(String name) {
-        Path file = render(scene("teaching"), StageOrView.REFLECTIONS, Optional.empty(), name);
+        Path file = render(scene("teaching"), StageOrView.BEAUTY, Optional.empty(), name);
 
         assertThat(file).hasSameBinaryContentAs(command(name));
     }
 
     @Test
     void picturesOfMeshes() {
-        Path file = render(scene("knot"), StageOrView.REFLECTIONS, Optional.empty(), "a.png");
+        Path file = render(scene("knot"), StageOrView.BEAUTY, Optional.empty(), "a.png");
 
         assertThat(file).hasSameBinaryContentAs(command("a.png"));
     }
@@ -101,7 +101,7 @@ class WindowFilesTest {
             seen = world.snapshot();
         }
 
-        Path file = render(scene, StageOrView.REFLECTIONS, Optional.of(seen), "a.png");
+        Path file = render(scene, StageOrView.BEAUTY, Optional.of(seen), "a.png");
 
         assertThat(file).hasSameBinaryContentAs(command("a.png", "--physics", "--start", "0.5"));
     }
@@ -128,7 +128,7 @@ class WindowFilesTest {
     private Path film(Scene scene, FilmMotion motion, FrameRange frames, String name) {
         FilmPlan plan = new FilmPlan(motion, RATE, frames);
         return render(
-                WindowOrder.film(scene, StageOrView.REFLECTIONS, Engines.offer(ENGINE), plan, folder.resolve(name)));
+                WindowOrder.film(scene, StageOrView.BEAUTY, Engines.offer(ENGINE), plan, folder.resolve(name)));
     }
 
     private Path render(Scene scene, StageOrView picture, Optional<FrameInput> seen, String name) {

@@ -64,7 +64,7 @@ class ExposureTest {
         driver.type(Command.AUTO_EXPOSURE.keys());
         assertThat(driver.notice()).isEqualTo("Normal has no exposure: its colors are not light");
         assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(before);
-        driver.run(() -> driver.studio.setShown(StageOrView.REFLECTIONS));
+        driver.run(() -> driver.studio.setShown(StageOrView.BEAUTY));
         driver.await(() -> text("clipped").startsWith("Clipped: "));
         assertThat(auto().isDisabled()).isFalse();
     }

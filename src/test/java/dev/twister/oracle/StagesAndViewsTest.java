@@ -106,7 +106,7 @@ class StagesAndViewsTest {
 
     private static Color value(Oracle oracle, StageOrView picture, int column, int row) {
         return switch (picture) {
-            case HARD_SHADOWS, SOFT_SHADOWS, REFLECTIONS, BEAUTY -> Color.of(oracle.radiance(column, row));
+            case HARD_SHADOWS, SOFT_SHADOWS, BEAUTY -> Color.of(oracle.radiance(column, row));
             default -> oracle.value(column, row, picture);
         };
     }

@@ -2,9 +2,14 @@ package dev.twister.bench.benchmark;
 
 import com.sun.management.OperatingSystemMXBean;
 import dev.twister.engine.Processor;
+import dev.twister.files.SmallFile;
 import dev.twister.files.TwisterVersion;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Properties;
 
 /**
  * The machine and software of a benchmark.
@@ -58,5 +63,31 @@ public record MachineInfo(
 
     private static String compilerAndJvm() {
         return (Jit.running() == Jit.GRAAL ? "Graal" : "C2") + ", " + System.getProperty("java.vm.name", "unknown JVM");
+    }
+
+    /** Version of TornadoVM in this JVM, from a file of its SDK, without loading its classes. */
+    private static final class TornadoVersion {
+        private static final int MOST_BYTES = 1 << 16;
+
+        private TornadoVersion() {}
+
+        static Optional<String> find() {
+            if (ModuleLayer.boot().findModule("tornado.runtime").isEmpty()) {
+                return Optional.empty();
+            }
+            return Optional.of(Optional.ofNullable(System.getenv("TORNADOVM_HOME"))
+                    .flatMap(sdk -> version(Path.of(sdk, "etc", "tornado.release")))
+                    .orElse("unknown"));
+        }
+
+        private static Optional<String> version(Path release) {
+            Properties properties = new Properties();
+            try {
+                properties.load(new ByteArrayInputStream(SmallFile.read(release, MOST_BYTES)));
+            } catch (IOException | IllegalArgumentException notReadable) {
+                return Optional.empty();
+            }
+            return Optional.ofNullable(properties.getProperty("version"));
+        }
     }
 }

@@ -9,6 +9,8 @@ import dev.twister.bench.benchmark.Setting;
 import dev.twister.engine.JvmEngines;
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Dimension;
+import java.io.StringWriter;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -17,13 +19,21 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.ToIntFunction;
 import java.util.stream.Stream;
+import javax.xml.parsers.DocumentBuilderFactory;
+import javax.xml.parsers.ParserConfigurationException;
+import org.apache.batik.svggen.SVGGeneratorContext;
+import org.apache.batik.svggen.SVGGraphics2D;
+import org.apache.batik.svggen.SVGGraphics2DIOException;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
 import org.knowm.xchart.CategorySeries;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.internal.chartpart.Chart;
 import org.knowm.xchart.style.markers.SeriesMarkers;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
 
 /** The plots of the evaluation. */
 final class PaperPlots {
@@ -196,5 +206,38 @@ final class PaperPlots {
 
     private Color color(String engine) {
         return PlotLook.color(Math.max(0, report.engines().indexOf(engine)));
+    }
+
+    /** Renders a plot as an SVG document. */
+    private static final class SvgPlot {
+        private static final String NAMESPACE = "http://www.w3.org/2000/svg";
+
+        private SvgPlot() {}
+
+        /** The document's text. Letters are converted to shapes, so that it looks the same with other fonts. */
+        static String of(Chart<?, ?> chart, String description) {
+            try {
+                Document document = DocumentBuilderFactory.newDefaultNSInstance()
+                        .newDocumentBuilder()
+                        .getDOMImplementation()
+                        .createDocument(NAMESPACE, "svg", null);
+                SVGGeneratorContext context = SVGGeneratorContext.createDefault(document);
+                context.setComment(null);
+                SVGGraphics2D graphics = new SVGGraphics2D(context, true);
+                graphics.setSVGCanvasSize(new Dimension(PlotLook.WIDTH, PlotLook.HEIGHT));
+                chart.paint(graphics, PlotLook.WIDTH, PlotLook.HEIGHT);
+                Element root = graphics.getRoot();
+                root.setAttribute("viewBox", "0 0 " + PlotLook.WIDTH + " " + PlotLook.HEIGHT);
+                root.setAttribute("role", "img");
+                root.setAttribute("aria-label", description);
+                StringWriter text = new StringWriter();
+                graphics.stream(root, text, true, false);
+                // Omits Batik's header, which refers to a document type definition on the network.
+                String whole = text.toString();
+                return whole.substring(whole.indexOf("<svg"));
+            } catch (ParserConfigurationException | SVGGraphics2DIOException impossible) {
+                throw new IllegalStateException("the plot cannot be written into memory", impossible);
+            }
+        }
     }
 }

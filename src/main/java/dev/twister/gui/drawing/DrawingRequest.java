@@ -29,7 +29,7 @@ public record DrawingRequest(
         StageOrView shown) {
     /** A request of the first document, without motion. */
     public DrawingRequest(long number, Scene scene, int width, int height, EngineChoice engine, int refineTo) {
-        this(number, 0, scene, width, height, engine, Refinement.to(refineTo), Motion.NONE, StageOrView.REFLECTIONS);
+        this(number, 0, scene, width, height, engine, Refinement.to(refineTo), Motion.NONE, StageOrView.BEAUTY);
     }
 
     /** Whether the other request has the same picture, on any engine. */

@@ -111,7 +111,7 @@ final class PictureWork implements AutoCloseable {
 
     /** Numbers need one sample: the mean of two bodies' numbers is the number of a third. */
     private FrameInput showing(StageOrView shown, FrameInput input) {
-        if (shown == StageOrView.REFLECTIONS) {
+        if (shown == StageOrView.BEAUTY) {
             // A sample takes long; at rest, more of them are gathered.
             return input.tracesPaths() && watcher.isEmpty() ? input.withSamples(0, 1) : input;
         }
@@ -263,7 +263,7 @@ final class PictureWork implements AutoCloseable {
         quick = true;
         FrameInput small = coarse(divisor);
         long start = clock.getAsLong();
-        if (input.tracesPaths() && wanted.shown() == StageOrView.REFLECTIONS && watcher.isEmpty()) {
+        if (input.tracesPaths() && wanted.shown() == StageOrView.BEAUTY && watcher.isEmpty()) {
             CoarsePicture picture = new CoarsePicture(small, start);
             // Pictures of moving bodies are not refined: each shows another moment.
             coarse = Optional.of(picture).filter(_ -> !wanted.isContinuous());
@@ -423,7 +423,7 @@ final class PictureWork implements AutoCloseable {
     private Optional<DenoiserOffer> denoiser(DrawingRequest wanted) {
         return wanted.refinement()
                 .denoiser()
-                .filter(_ -> input.tracesPaths() && wanted.shown() == StageOrView.REFLECTIONS);
+                .filter(_ -> input.tracesPaths() && wanted.shown() == StageOrView.BEAUTY);
     }
 
     /** The picture without its noise, if that is wanted. */

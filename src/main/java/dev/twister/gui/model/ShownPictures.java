@@ -3,15 +3,10 @@ package dev.twister.gui.model;
 import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Stream;
 
 /** What the window can show of a scene: the stages up to the full picture, then the views. */
 public final class ShownPictures {
-    private static final List<StageOrView> ALL = Stream.concat(
-                    StageOrView.stages().stream(),
-                    // The last stage is the same picture.
-                    StageOrView.views().stream().filter(view -> view != StageOrView.BEAUTY))
-            .toList();
+    private static final List<StageOrView> ALL = List.of(StageOrView.values());
 
     private ShownPictures() {}
 
@@ -22,9 +17,9 @@ public final class ShownPictures {
 
     /** The displayed name, such as {@code Hard shadows}. */
     public static String label(StageOrView picture) {
-        String words = picture.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+        String words = picture.stageId().replace('-', ' ');
         String label = words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
-        return picture == StageOrView.REFLECTIONS ? label + " (full picture)" : label;
+        return picture == StageOrView.BEAUTY ? label + " (full picture)" : label;
     }
 
     /** What it shows, in a few words. */
@@ -35,7 +30,7 @@ public final class ShownPictures {
             case HIGHLIGHTS -> "Diffuse shading with highlights.";
             case HARD_SHADOWS -> "One shadow ray per point, to the light's center.";
             case SOFT_SHADOWS -> "As many shadow rays per point as the scene has shadow samples.";
-            case REFLECTIONS, BEAUTY -> "The full picture, with reflections and refractions.";
+            case BEAUTY -> "The full picture, with reflections and refractions.";
             case ALBEDO -> "The color of the first hit, without light.";
             case NORMAL -> "The direction of the first hit's surface, as a color.";
             case DEPTH -> "Meters to the first hit; near is bright.";

@@ -54,10 +54,8 @@ public final class WindowOrder {
 
     private static RenderOrder of(
             Scene scene, StageOrView picture, EngineOffer engine, Movement movement, RenderOutput output) {
-        // The last stage is the picture itself, which files and commands call by this name.
-        StageOrView named = picture == StageOrView.REFLECTIONS ? StageOrView.BEAUTY : picture;
         Sampling sampling = new Sampling(scene.rendering().samplesPerPixel(), Optional.empty());
         return new RenderOrder(
-                scene, engine, List.of(named), sampling, PicturePart.WHOLE, movement, Finishing.NONE, output);
+                scene, engine, List.of(picture), sampling, PicturePart.WHOLE, movement, Finishing.NONE, output);
     }
 }

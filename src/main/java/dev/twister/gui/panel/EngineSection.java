@@ -58,7 +58,7 @@ final class EngineSection {
         engines.offersProperty().subscribe(_ -> refresh());
         studio.engineProperty().subscribe(_ -> refresh());
         studio.resolutionProperty().subscribe(_ -> refresh());
-        studio.shownProperty().subscribe(now -> shown.show(ShownPictures.all(), now, StageOrView.REFLECTIONS));
+        studio.shownProperty().subscribe(now -> shown.show(ShownPictures.all(), now, StageOrView.BEAUTY));
     }
 
     List<PanelRow> rows() {

@@ -234,7 +234,7 @@ public final class Panel extends ScrollPane {
         studio.endGesture();
         studio.hand().goHome();
         studio.setResolution(ResolutionMode.WINDOW);
-        studio.setShown(StageOrView.REFLECTIONS);
+        studio.setShown(StageOrView.BEAUTY);
         studio.refiningProperty().set(true);
         studio.noiseGoalProperty().set(0.0);
         studio.denoiserProperty().set(Optional.empty());

@@ -31,14 +31,11 @@ final class RenderEstimate {
 
     /** Empty where another engine or another kind of picture would be measured. */
     private static Optional<Duration> time(RenderOrder order, DrawnPicture seen) {
-        StageOrView shown = seen.request().shown() == StageOrView.REFLECTIONS
-                ? StageOrView.BEAUTY
-                : seen.request().shown();
         boolean same =
                 seen.request().engine().offer().id().equals(order.engine().id())
                         && seen.request().scene().rendering().integrator()
                                 == order.scene().rendering().integrator()
-                        && order.pictures().contains(shown);
+                        && order.pictures().contains(seen.request().shown());
         double measured = (double) seen.frame().width()
                 * seen.frame().height()
                 * seen.input().samplesPerPixel();

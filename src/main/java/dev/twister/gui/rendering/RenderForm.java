@@ -113,7 +113,7 @@ final class RenderForm extends GridPane {
         if (document.isEmpty()) {
             size.show(
                     new PictureSize(scene.rendering().width(), scene.rendering().height()));
-            samples.show(RefinementGoal.samples(scene, StageOrView.REFLECTIONS));
+            samples.show(RefinementGoal.samples(scene, StageOrView.BEAUTY));
             shown.offer(ShownPictures.all(), Optional.of(studio.shownProperty().get()));
             films.showUsual();
             engines.want();

@@ -27,7 +27,7 @@ public final class StatusText {
         Camera camera = picture.request().scene().camera();
         return Stream.of(
                         name.isEmpty() ? "untitled" : name,
-                        picture.request().shown() == StageOrView.REFLECTIONS
+                        picture.request().shown() == StageOrView.BEAUTY
                                 ? ""
                                 : ShownPictures.label(picture.request().shown()),
                         (chosen.equals(picture.engine()) ? "" : chosen + ": ") + picture.engine() + " ("

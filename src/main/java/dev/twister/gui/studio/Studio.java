@@ -52,7 +52,7 @@ public final class Studio implements AutoCloseable {
     private final Document document;
     private final ReadOnlyObjectWrapper<EngineChoice> engine;
     private final ReadOnlyObjectWrapper<ResolutionMode> resolution = new ReadOnlyObjectWrapper<>(ResolutionMode.WINDOW);
-    private final ReadOnlyObjectWrapper<StageOrView> shown = new ReadOnlyObjectWrapper<>(StageOrView.REFLECTIONS);
+    private final ReadOnlyObjectWrapper<StageOrView> shown = new ReadOnlyObjectWrapper<>(StageOrView.BEAUTY);
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);

@@ -47,7 +47,7 @@ class EngineWarmUpTest {
     }
 
     private void warmUp(String id, double seconds, List<FrameInput> inputs) {
-        new EngineWarmUp(seconds, BenchmarkProgress.SILENT)
+        new Benchmark.EngineWarmUp(seconds, BenchmarkProgress.SILENT)
                 .run(new AskedEngine(id, new CompiledLate(id, drawn)), new PictureSize(1280, 720), inputs);
     }
 

@@ -137,7 +137,7 @@ class HierarchyChoiceTest {
     @ValueSource(booleans = {true, false})
     @Timeout(300)
     void aRehearsalComesToItsEnd(boolean walk) throws InterruptedException {
-        Rehearsal rehearsal = SmallRehearsal.of(walk);
+        Rehearsal rehearsal = VectorEngines.SmallRehearsal.of(walk);
         while (!rehearsal.isOver()) {
             Thread.sleep(1);
         }

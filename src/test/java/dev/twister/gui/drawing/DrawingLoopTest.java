@@ -499,7 +499,7 @@ class DrawingLoopTest {
                 chosen,
                 Refinement.to(16),
                 Motion.NONE,
-                StageOrView.REFLECTIONS));
+                StageOrView.BEAUTY));
 
         await(() -> !samples.isEmpty());
         // What is clicked in the one before is of no scene any more, and more samples take as much longer.
@@ -545,7 +545,7 @@ class DrawingLoopTest {
                 chosen,
                 Refinement.to(1),
                 motion,
-                StageOrView.REFLECTIONS);
+                StageOrView.BEAUTY);
     }
 
     private void beSlow(TestEngine.Kind kind) {
@@ -625,7 +625,7 @@ class DrawingLoopTest {
     private void request(Scene wanted, int refineTo, Motion motion) {
         requests++;
         loop.request(new DrawingRequest(
-                requests, 0, wanted, WIDTH, HEIGHT, chosen, Refinement.to(refineTo), motion, StageOrView.REFLECTIONS));
+                requests, 0, wanted, WIDTH, HEIGHT, chosen, Refinement.to(refineTo), motion, StageOrView.BEAUTY));
     }
 
     private DrawnPicture awaitAnswer() {

@@ -214,7 +214,7 @@ class PathPreviewTest {
                 new EngineChoice(0, paced),
                 Refinement.to(refineTo),
                 motion,
-                StageOrView.REFLECTIONS));
+                StageOrView.BEAUTY));
     }
 
     private DrawnPicture await(Predicate<DrawnPicture> wanted) {

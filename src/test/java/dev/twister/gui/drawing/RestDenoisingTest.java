@@ -164,7 +164,7 @@ class RestDenoisingTest {
     private void request(Scene wanted, Refinement refinement) {
         requests++;
         loop.request(new DrawingRequest(
-                requests, 0, wanted, SIDE, SIDE, engine, refinement, Motion.NONE, StageOrView.REFLECTIONS));
+                requests, 0, wanted, SIDE, SIDE, engine, refinement, Motion.NONE, StageOrView.BEAUTY));
     }
 
     private DrawnPicture await(Predicate<DrawnPicture> condition) {

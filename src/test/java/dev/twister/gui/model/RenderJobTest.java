@@ -145,7 +145,7 @@ class RenderJobTest {
         Path file = folder.resolve(name);
         FilmPlan film = new FilmPlan(FilmMotion.PHYSICS, 30, FrameRange.ofCount(frames));
         return frames > 1
-                ? WindowOrder.film(scene, StageOrView.REFLECTIONS, engine, film, file)
-                : WindowOrder.picture(scene, StageOrView.REFLECTIONS, engine, Optional.empty(), file);
+                ? WindowOrder.film(scene, StageOrView.BEAUTY, engine, film, file)
+                : WindowOrder.picture(scene, StageOrView.BEAUTY, engine, Optional.empty(), file);
     }
 }

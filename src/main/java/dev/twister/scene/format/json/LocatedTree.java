@@ -11,6 +11,7 @@ import dev.twister.scene.format.json.LocatedValue.TextValue;
 import dev.twister.scene.property.SceneLimits;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
@@ -187,5 +188,25 @@ public final class LocatedTree {
     // How far the parser has come, which a broken limit does not say itself.
     private long reached() {
         return parser.currentLocation().getCharOffset();
+    }
+
+    /** The JSON parser's complaint in a person's words: without the parser's own settings and its copy of the place. */
+    private static final class SyntaxMessage {
+        private static final Pattern ANY_VALUE =
+                Pattern.compile("(a valid value )?\\(JSON String, Number .*", Pattern.DOTALL);
+        private static final Pattern HEXADECIMAL =
+                Pattern.compile("hexadecimal number literals require enabling .*", Pattern.DOTALL);
+        private static final Pattern PARSER_MATTERS = Pattern.compile(
+                "(: enable `| \\(consider enabling | \\(start marker at | \\(for \\w+ starting at | \\(not recognized ).*",
+                Pattern.DOTALL);
+
+        private SyntaxMessage() {}
+
+        static String of(JacksonException failure) {
+            String message = String.valueOf(failure.getOriginalMessage());
+            String plain = PARSER_MATTERS.matcher(message).replaceFirst("");
+            String decimal = HEXADECIMAL.matcher(plain).replaceFirst("numbers must be decimal, not hexadecimal");
+            return Excerpt.sentence(ANY_VALUE.matcher(decimal).replaceFirst("a value"));
+        }
     }
 }
