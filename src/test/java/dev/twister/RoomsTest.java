@@ -131,8 +131,8 @@ class RoomsTest {
                 room("explain", "kernel", "scene", "world", "image", "engine"),
                 room("bench", "image"),
                 room("bench.benchmark", "bench", "files", "engine", "engine.auto", "image", "world", "scene", "physics"),
-                room("bench.report", "bench", "bench.benchmark", "files", "engine", "scene"),
-                room("bench.figures", "files", "scene.format"),
+                room("bench.report", "bench", "bench.benchmark", "files", "engine", "image", "scene"),
+                room("bench.figures", "files", "scene", "scene.format"),
                 room("bench.page", "bench", "bench.figures", "files"),
                 room(
                         "bench.paper",
