@@ -1,6 +1,6 @@
 package dev.twister.cli;
 
-import dev.twister.bench.WindowRates;
+import dev.twister.bench.report.WindowRates;
 import dev.twister.engine.Engines;
 import dev.twister.gui.FirstScene;
 import dev.twister.gui.Gui;

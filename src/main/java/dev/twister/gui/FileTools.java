@@ -40,8 +40,8 @@ record FileTools(
         FileChoice choice = options.files();
         SceneSaving saving = new SceneSaving(studio, choice, options.shipped(), dialogs, settings, tasks, takeTyped);
         AssetActions assets = new AssetActions(studio, choice, dialogs, settings, reading);
-        FileActions files = new FileActions(
-                studio, choice, options.shipped(), dialogs, settings, reading, saving, assets, tasks);
+        FileActions files =
+                new FileActions(studio, choice, options.shipped(), dialogs, settings, reading, saving, assets, tasks);
         return new FileTools(
                 settings,
                 dialogs,

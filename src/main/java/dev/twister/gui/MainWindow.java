@@ -1,6 +1,6 @@
 package dev.twister.gui;
 
-import dev.twister.bench.WindowRates;
+import dev.twister.bench.report.WindowRates;
 import dev.twister.gui.camera.CameraKeys;
 import dev.twister.gui.camera.CameraMouse;
 import dev.twister.gui.files.Reading;

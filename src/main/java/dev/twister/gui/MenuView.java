@@ -14,7 +14,7 @@ import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Shape;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -134,12 +134,12 @@ final class MenuView extends MenuBar {
         Menu menu = new Menu("Show");
         menu.setId("menu-show");
         ToggleGroup group = new ToggleGroup();
-        for (Picture picture : StagesAndViews.all()) {
+        for (StageOrView picture : StagesAndViews.all()) {
             RadioMenuItem item = new RadioMenuItem(StagesAndViews.label(picture));
             item.setToggleGroup(group);
             item.setOnAction(_ -> studio.setShown(picture));
             studio.shownProperty().subscribe(shown -> item.setSelected(shown == picture));
-            if (picture == Picture.ALBEDO) {
+            if (picture == StageOrView.ALBEDO) {
                 menu.getItems().add(new SeparatorMenuItem());
             }
             menu.getItems().add(item);

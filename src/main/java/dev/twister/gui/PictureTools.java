@@ -84,7 +84,6 @@ record PictureTools(
             StackPane.setAlignment(hint, Pos.BOTTOM_CENTER);
             middle.getChildren().add(hint);
         }
-        return new PictureTools(
-                comparison, transform, box, safeFrame, inspector, paths, clipping, handles, bodyMouse);
+        return new PictureTools(comparison, transform, box, safeFrame, inspector, paths, clipping, handles, bodyMouse);
     }
 }

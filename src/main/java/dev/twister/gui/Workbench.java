@@ -7,6 +7,7 @@ import dev.twister.gui.camera.KeyframeMenu;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Dialogs;
+import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.BodyTransform;
@@ -32,12 +33,11 @@ import dev.twister.gui.picture.ZoomMouse;
 import dev.twister.gui.rendering.RenderActions;
 import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.EngineList;
-import dev.twister.gui.studio.Studio;
-import dev.twister.gui.studio.TagActions;
-import dev.twister.world.Picture;
-import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.studio.Film;
 import dev.twister.gui.studio.MotionControl;
+import dev.twister.gui.studio.Studio;
+import dev.twister.gui.studio.TagActions;
+import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
@@ -139,8 +139,7 @@ final class Workbench implements AutoCloseable {
             PanelKeys.install(scene, panel, () -> showPanel(true));
             DropTarget.install(scene, files.files());
         }
-        tasks.run(
-                options.shipped()::skies, panel::offerSkies, problem -> studio.notice(Dialogs.explain(problem)));
+        tasks.run(options.shipped()::skies, panel::offerSkies, problem -> studio.notice(Dialogs.explain(problem)));
         restore();
         keepUpToDate();
         options.asked().ifPresent(settings()::remember);
@@ -158,8 +157,8 @@ final class Workbench implements AutoCloseable {
         panel.minWidthProperty().subscribe(_ -> limitWidth());
         studio.engineProperty()
                 .subscribe((_, choice) -> settings()
-                        .change(kept -> kept.with(
-                                WindowSettings.ENGINE, choice.offer().id())));
+                        .change(kept ->
+                                kept.with(WindowSettings.ENGINE, choice.offer().id())));
         studio.document().editsProperty().subscribe(_ -> showTitle());
         studio.document().fileProperty().subscribe(_ -> showTitle());
     }
@@ -196,8 +195,9 @@ final class Workbench implements AutoCloseable {
         boolean filling = stage.isMaximized() || stage.isFullScreen();
         int width = (int) stage.getWidth();
         int height = (int) stage.getHeight();
-        settings().change(
-                kept -> (filling ? kept : kept.withSize(width, height)).with(WindowSettings.MAXIMIZED, filling));
+        settings()
+                .change(kept ->
+                        (filling ? kept : kept.withSize(width, height)).with(WindowSettings.MAXIMIZED, filling));
         panelWindow.close();
         settings().write();
         help.close();
@@ -336,18 +336,9 @@ final class Workbench implements AutoCloseable {
                 .on(Command.PANEL, () -> showPanel(!panel.isVisible()), panel.visibleProperty())
                 .on(Command.FLOAT_PANEL, this::toggleFloating, panelWindow.floatingProperty())
                 .on(Command.SAFE_FRAME, tools.safeFrame().shownProperty())
-                .on(
-                        Command.LOCK_CAMERA,
-                        this::toggleLock,
-                        studio.document().cameraLockedProperty())
-                .on(
-                        Command.FRAME_TIMES,
-                        () -> showFrameTimes(!frameTimes.isVisible()),
-                        frameTimes.visibleProperty())
-                .on(
-                        Command.FULL_SCREEN,
-                        () -> stage.setFullScreen(!stage.isFullScreen()),
-                        stage.fullScreenProperty());
+                .on(Command.LOCK_CAMERA, this::toggleLock, studio.document().cameraLockedProperty())
+                .on(Command.FRAME_TIMES, () -> showFrameTimes(!frameTimes.isVisible()), frameTimes.visibleProperty())
+                .on(Command.FULL_SCREEN, () -> stage.setFullScreen(!stage.isFullScreen()), stage.fullScreenProperty());
     }
 
     private void bindMotion(CommandActions actions) {
@@ -426,7 +417,7 @@ final class Workbench implements AutoCloseable {
     }
 
     private void showAlong(int steps) {
-        Picture next = StagesAndViews.along(studio.shownProperty().get(), steps);
+        StageOrView next = StagesAndViews.along(studio.shownProperty().get(), steps);
         studio.setShown(next);
         studio.notice(StagesAndViews.label(next));
     }

@@ -15,11 +15,11 @@ public record Provenance(String software, String picture, String samples) {
 
     static final String SOFTWARE = "Software";
 
-    String text() {
+    public String text() {
         return picture + " " + samples;
     }
 
-    static Optional<Provenance> of(String software, String text) {
+    public static Optional<Provenance> of(String software, String text) {
         int end = text.indexOf(' ');
         return end < 0
                 ? Optional.empty()

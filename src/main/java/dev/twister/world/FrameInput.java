@@ -4,6 +4,7 @@ import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Guides;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
+import dev.twister.world.hierarchy.SphereHierarchy;
 import java.util.Arrays;
 
 /**
@@ -201,7 +202,7 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
      * A stage or view of this picture. 8-bit frames show the values as if they were colors; linear frames hold the
      * values themselves.
      */
-    public FrameInput showing(Picture picture) {
+    public FrameInput showing(StageOrView picture) {
         return with(view.showing(picture));
     }
 

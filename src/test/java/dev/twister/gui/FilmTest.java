@@ -17,7 +17,7 @@ import dev.twister.scene.Track;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.format.SceneWriter;
-import dev.twister.world.CameraPath;
+import dev.twister.world.animation.CameraPath;
 import java.nio.file.Path;
 import java.util.List;
 import javafx.geometry.Bounds;

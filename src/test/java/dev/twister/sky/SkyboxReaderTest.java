@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
+import dev.twister.sky.image.CurveEncoding;
+import dev.twister.sky.image.FileBytes;
 import java.awt.Transparency;
 import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;

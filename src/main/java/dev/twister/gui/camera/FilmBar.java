@@ -11,7 +11,7 @@ import dev.twister.gui.studio.Film;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.Animation;
 import java.util.List;
 import java.util.Optional;

@@ -1,6 +1,6 @@
 package dev.twister.gui.controls;
 
-import dev.twister.scene.Range;
+import dev.twister.scene.property.Range;
 import java.math.BigDecimal;
 import java.util.Optional;
 import javafx.css.PseudoClass;

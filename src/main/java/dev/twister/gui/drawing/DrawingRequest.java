@@ -4,7 +4,7 @@ import dev.twister.denoise.DenoiserOffer;
 import dev.twister.engine.EngineOffer;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.Optional;
 
 /**
@@ -29,10 +29,10 @@ public record DrawingRequest(
         EngineChoice engine,
         Refinement refinement,
         Motion motion,
-        Picture shown) {
+        StageOrView shown) {
     /** A request of the first document, without motion. */
     public DrawingRequest(long number, Scene scene, int width, int height, EngineChoice engine, int refineTo) {
-        this(number, 0, scene, width, height, engine, Refinement.to(refineTo), Motion.NONE, Picture.REFLECTIONS);
+        this(number, 0, scene, width, height, engine, Refinement.to(refineTo), Motion.NONE, StageOrView.BEAUTY);
     }
 
     /** Whether the other request has the same picture, on any engine. */

@@ -8,7 +8,7 @@ import dev.twister.gui.drawing.DrawnPicture.Gathered;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import dev.twister.world.TonedPixels;
 import java.nio.IntBuffer;
 import java.util.Optional;
@@ -108,8 +108,8 @@ final class ProgressiveRenderer implements AutoCloseable {
     }
 
     /** Numbers need one sample: the mean of two bodies' numbers is the number of a third. */
-    private FrameInput showing(Picture shown, FrameInput input) {
-        if (shown == Picture.REFLECTIONS) {
+    private FrameInput showing(StageOrView shown, FrameInput input) {
+        if (shown == StageOrView.BEAUTY) {
             // A sample takes long; at rest, more of them are gathered.
             return input.tracesPaths() && watcher.isEmpty() ? input.withSamples(0, 1) : input;
         }
@@ -257,7 +257,7 @@ final class ProgressiveRenderer implements AutoCloseable {
         }
         FrameInput small = coarse(divisor);
         long start = clock.getAsLong();
-        boolean gathers = input.tracesPaths() && wanted.shown() == Picture.REFLECTIONS && watcher.isEmpty();
+        boolean gathers = input.tracesPaths() && wanted.shown() == StageOrView.BEAUTY && watcher.isEmpty();
         Preview drawing = gathers ? Preview.gathering(small, wanted.isContinuous(), start) : Preview.once(small);
         preview = Optional.of(drawing);
         drawPreview(wanted, engine, drawing);
@@ -394,7 +394,7 @@ final class ProgressiveRenderer implements AutoCloseable {
     }
 
     private Optional<DenoiserOffer> denoiser(DrawingRequest wanted) {
-        return wanted.refinement().denoiser().filter(_ -> input.tracesPaths() && wanted.shown() == Picture.REFLECTIONS);
+        return wanted.refinement().denoiser().filter(_ -> input.tracesPaths() && wanted.shown() == StageOrView.BEAUTY);
     }
 
     /** The picture without its noise, if that is wanted. */

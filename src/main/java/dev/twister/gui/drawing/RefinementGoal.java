@@ -3,7 +3,7 @@ package dev.twister.gui.drawing;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 
 /** How many samples per pixel a picture at rest gathers, and the noise at which it stops earlier. */
@@ -25,7 +25,7 @@ public final class RefinementGoal {
     private RefinementGoal() {}
 
     /** At least the scene's own number of samples; one for views of numbers, which are exact with one sample. */
-    public static int samples(Scene scene, Picture shown) {
+    public static int samples(Scene scene, StageOrView shown) {
         return shown.isColor() ? samples(scene) : 1;
     }
 

@@ -1,7 +1,7 @@
 package dev.twister.gui.drawing;
 
 import dev.twister.image.PictureSize;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.property.SceneLimits;
 import java.util.Optional;
 
 /** How large the picture is drawn; it is scaled to fit the window. */

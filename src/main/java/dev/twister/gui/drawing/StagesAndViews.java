@@ -1,41 +1,36 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Stream;
 
 /** What the window can show of a scene: the stages up to the full picture, then the views. */
 public final class StagesAndViews {
-    private static final List<Picture> ALL = Stream.concat(
-                    Picture.stages().stream(),
-                    // The last stage is the same picture.
-                    Picture.views().stream().filter(view -> view != Picture.BEAUTY))
-            .toList();
+    private static final List<StageOrView> ALL = List.of(StageOrView.values());
 
     private StagesAndViews() {}
 
     /** In the order in which they are offered. */
-    public static List<Picture> all() {
+    public static List<StageOrView> all() {
         return ALL;
     }
 
     /** The displayed name, such as {@code Hard shadows}. */
-    public static String label(Picture picture) {
-        String words = picture.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    public static String label(StageOrView picture) {
+        String words = picture.stageId().replace('-', ' ');
         String label = words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
-        return picture == Picture.REFLECTIONS ? label + " (full picture)" : label;
+        return picture == StageOrView.BEAUTY ? label + " (full picture)" : label;
     }
 
     /** What it shows, in a few words. */
-    public static String hint(Picture picture) {
+    public static String hint(StageOrView picture) {
         return switch (picture) {
             case COLORS -> "The base color of the closest hit.";
             case DIFFUSE -> "Shaded by the angle to the light, without shadows.";
             case HIGHLIGHTS -> "Diffuse shading with highlights.";
             case HARD_SHADOWS -> "One shadow ray per point, to the light's center.";
             case SOFT_SHADOWS -> "As many shadow rays per point as the scene has shadow samples.";
-            case REFLECTIONS, BEAUTY -> "The full picture, with reflections and refractions.";
+            case BEAUTY -> "The full picture, with reflections and refractions.";
             case ALBEDO -> "The color of the first hit, without light.";
             case NORMAL -> "The direction of the first hit's surface, as a color.";
             case DEPTH -> "Meters to the first hit; near is bright.";
@@ -47,7 +42,7 @@ public final class StagesAndViews {
     }
 
     /** The value that many steps further, cyclically; backward if {@code steps} is negative. */
-    public static Picture along(Picture picture, int steps) {
+    public static StageOrView along(StageOrView picture, int steps) {
         return ALL.get(Math.floorMod(ALL.indexOf(picture) + steps, ALL.size()));
     }
 }

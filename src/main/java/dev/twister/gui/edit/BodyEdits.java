@@ -2,14 +2,14 @@ package dev.twister.gui.edit;
 
 import dev.twister.scene.Body;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
-import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.generate.Pour;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.SceneMeshes;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

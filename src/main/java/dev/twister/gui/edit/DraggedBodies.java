@@ -1,8 +1,8 @@
 package dev.twister.gui.edit;
 
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.SceneLimits;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.SequencedMap;

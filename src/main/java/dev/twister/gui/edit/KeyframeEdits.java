@@ -3,7 +3,7 @@ package dev.twister.gui.edit;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.property.SceneLimits;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Comparator;

@@ -1,10 +1,10 @@
 package dev.twister.gui.edit;
 
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Scene;
-import dev.twister.scene.Tag;
-import dev.twister.scene.VisibleBodies;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.select.Tag;
+import dev.twister.scene.select.VisibleBodies;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;

@@ -1,11 +1,11 @@
 package dev.twister.gui.edit;
 
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.property.SceneLimits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;

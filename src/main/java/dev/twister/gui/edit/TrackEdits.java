@@ -1,14 +1,14 @@
 package dev.twister.gui.edit;
 
-import dev.twister.scene.AnimatedProperty;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Easing;
 import dev.twister.scene.Keyframe;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.property.AnimatedProperty;
+import dev.twister.scene.property.SceneLimits;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;

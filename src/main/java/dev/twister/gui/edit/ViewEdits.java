@@ -3,7 +3,7 @@ package dev.twister.gui.edit;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraView;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.property.SceneLimits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

@@ -3,7 +3,7 @@ package dev.twister.gui.panel;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.property.CameraNumbers;
 import dev.twister.gui.studio.Studio;
-import dev.twister.world.CameraMotion;
+import dev.twister.world.animation.CameraMotion;
 import java.util.List;
 import java.util.stream.Stream;
 

@@ -7,7 +7,7 @@ import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.Comparison.Mode;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -22,7 +22,7 @@ final class CompareSection {
     private final Comparison comparison;
     private final ChoiceRow<Mode> mode;
     private final ChoiceRow<String> engine;
-    private final ChoiceRow<Optional<Picture>> shown;
+    private final ChoiceRow<Optional<StageOrView>> shown;
     private final SwitchRow settings;
 
     CompareSection(Studio studio, EngineList engines, Comparison comparison) {
@@ -81,7 +81,7 @@ final class CompareSection {
                 SAME);
         shown.show(
                 Stream.concat(
-                                Stream.of(Optional.<Picture>empty()),
+                                Stream.of(Optional.<StageOrView>empty()),
                                 StagesAndViews.all().stream().map(Optional::of))
                         .toList(),
                 comparison.shownProperty().get(),

@@ -7,7 +7,7 @@ import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -18,7 +18,7 @@ final class EngineSection {
     private final EngineList engines;
     private final ChoiceRow<String> engine;
     private final ChoiceRow<ResolutionMode> resolution;
-    private final ChoiceRow<Picture> shown;
+    private final ChoiceRow<StageOrView> shown;
     private final String usualEngine;
 
     EngineSection(Studio studio, EngineList engines, String usualEngine) {
@@ -58,7 +58,7 @@ final class EngineSection {
         engines.offersProperty().subscribe(_ -> refresh());
         studio.engineProperty().subscribe(_ -> refresh());
         studio.resolutionProperty().subscribe(_ -> refresh());
-        studio.shownProperty().subscribe(now -> shown.show(StagesAndViews.all(), now, Picture.REFLECTIONS));
+        studio.shownProperty().subscribe(now -> shown.show(StagesAndViews.all(), now, StageOrView.BEAUTY));
     }
 
     List<PanelRow> rows() {

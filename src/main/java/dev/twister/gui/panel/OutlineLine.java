@@ -5,7 +5,7 @@ import dev.twister.gui.edit.BodyTitles;
 import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.edit.TagEdits;
 import dev.twister.scene.Scene;
-import dev.twister.scene.Tag;
+import dev.twister.scene.select.Tag;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

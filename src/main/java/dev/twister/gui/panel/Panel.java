@@ -16,7 +16,7 @@ import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -234,7 +234,7 @@ public final class Panel extends ScrollPane {
         studio.endGesture();
         studio.cameraControl().goHome();
         studio.setResolution(ResolutionMode.WINDOW);
-        studio.setShown(Picture.REFLECTIONS);
+        studio.setShown(StageOrView.BEAUTY);
         studio.refiningProperty().set(true);
         studio.noiseGoalProperty().set(0.0);
         studio.denoiserProperty().set(Optional.empty());

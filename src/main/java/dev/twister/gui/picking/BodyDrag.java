@@ -2,8 +2,8 @@ package dev.twister.gui.picking;
 
 import dev.twister.gui.edit.Axis;
 import dev.twister.kernel.Layout;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.FrameInput;
 import java.util.Optional;
 

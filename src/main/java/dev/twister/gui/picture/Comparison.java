@@ -8,7 +8,7 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.Frame;
 import dev.twister.scene.Rendering;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
@@ -30,7 +30,7 @@ public final class Comparison implements AutoCloseable {
     private final Supplier<DrawingLoop> loops;
     private final ObjectProperty<Mode> mode = new SimpleObjectProperty<>(Mode.OFF);
     private final ObjectProperty<Optional<EngineOffer>> engine = new SimpleObjectProperty<>(Optional.empty());
-    private final ObjectProperty<Optional<Picture>> shown = new SimpleObjectProperty<>(Optional.empty());
+    private final ObjectProperty<Optional<StageOrView>> shown = new SimpleObjectProperty<>(Optional.empty());
     private final ObjectProperty<Optional<Rendering>> settings = new SimpleObjectProperty<>(Optional.empty());
     private final ReadOnlyObjectWrapper<Optional<Other>> other = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<Optional<PictureDifference>> difference =
@@ -80,7 +80,7 @@ public final class Comparison implements AutoCloseable {
     }
 
     /** What the second picture shows; empty for what the first does. */
-    public ObjectProperty<Optional<Picture>> shownProperty() {
+    public ObjectProperty<Optional<StageOrView>> shownProperty() {
         return shown;
     }
 

@@ -1,12 +1,12 @@
 package dev.twister.gui.picture;
 
+import dev.twister.engine.AutoExposure;
 import dev.twister.engine.ExposureMeter;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.property.SceneNumbers;
 import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
-import dev.twister.world.AutoExposure;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;

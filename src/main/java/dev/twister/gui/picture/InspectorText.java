@@ -2,7 +2,7 @@ package dev.twister.gui.picture;
 
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.scene.Rgb;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.Locale;
 
 /** What the inspector says of a pixel. */
@@ -10,7 +10,7 @@ final class InspectorText {
     private InspectorText() {}
 
     /** @param body the body of the pixel, as the scene numbers it */
-    static String of(PixelReading pixel, int body, Picture shown) {
+    static String of(PixelReading pixel, int body, StageOrView shown) {
         return String.format(
                 Locale.ROOT,
                 "x %d   y %d   RGB %d %d %d   #%06X%n%s%n%s   %d %s",
@@ -44,7 +44,7 @@ final class InspectorText {
         };
     }
 
-    private static String value(Rgb value, Picture shown) {
+    private static String value(Rgb value, StageOrView shown) {
         String name = shown.isColor() ? "radiance" : shown.id();
         return shown.isNumber()
                 ? String.format(Locale.ROOT, "%s %.5g", name, value.red())

@@ -1,8 +1,8 @@
 package dev.twister.gui.property;
 
 import dev.twister.gui.property.NumberScale.Spread;
-import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
+import dev.twister.scene.property.Range;
 import dev.twister.sky.Daylight;
 import java.util.List;
 import java.util.function.BiFunction;

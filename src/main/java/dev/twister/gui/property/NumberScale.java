@@ -1,6 +1,6 @@
 package dev.twister.gui.property;
 
-import dev.twister.scene.Range;
+import dev.twister.scene.property.Range;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.Optional;

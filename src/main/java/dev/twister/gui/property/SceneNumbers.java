@@ -2,9 +2,9 @@ package dev.twister.gui.property;
 
 import dev.twister.gui.edit.Axis;
 import dev.twister.gui.property.NumberScale.Spread;
-import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.property.Range;
+import dev.twister.scene.property.SceneLimits;
 import java.util.List;
 
 /** The numbers of a scene that belong to no light, camera or body. */

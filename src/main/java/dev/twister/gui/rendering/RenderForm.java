@@ -16,10 +16,10 @@ import dev.twister.render.RenderOrder;
 import dev.twister.render.Renderer;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
-import dev.twister.scene.VisibleBodies;
+import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.select.VisibleBodies;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -50,7 +50,7 @@ final class RenderForm extends GridPane {
     private final NumberField shadows =
             new NumberField("Shadow samples", SceneLimits.SHADOW_SAMPLES, true, this::check);
     private final PlainBox<EngineOffer> engine = new PlainBox<>("render-engine", RenderForm::name, this::check);
-    private final PlainBox<Picture> shown = new PlainBox<>("render-show", StagesAndViews::label, this::check);
+    private final PlainBox<StageOrView> shown = new PlainBox<>("render-show", StagesAndViews::label, this::check);
     private final PlainBox<RenderFormat> format = new PlainBox<>("render-format", RenderFormat::label, this::check);
     private final Label estimate = new Label();
     private final FinishingFields finishing = new FinishingFields(this::check);
@@ -111,7 +111,7 @@ final class RenderForm extends GridPane {
         if (document.isEmpty()) {
             size.show(
                     new PictureSize(scene.rendering().width(), scene.rendering().height()));
-            samples.show(RefinementGoal.samples(scene, Picture.REFLECTIONS));
+            samples.show(RefinementGoal.samples(scene, StageOrView.BEAUTY));
             shown.offer(StagesAndViews.all(), Optional.of(studio.shownProperty().get()));
             films.showUsual();
             engines.want();
@@ -146,7 +146,7 @@ final class RenderForm extends GridPane {
                         .flatMap(chosen -> shown.choice().flatMap(picture -> order(sized, picture, chosen, file))));
     }
 
-    private Optional<RenderOrder> order(Scene scene, Picture picture, EngineOffer chosen, Path file) {
+    private Optional<RenderOrder> order(Scene scene, StageOrView picture, EngineOffer chosen, Path file) {
         Optional<RenderOrder> order = film.isSelected()
                 ? films.film().map(plan -> WindowOrder.film(scene, picture, chosen, plan, file))
                 : Optional.of(WindowOrder.picture(scene, picture, chosen, movedBodies(scene), file));
@@ -201,7 +201,7 @@ final class RenderForm extends GridPane {
                 .or(shadows::complaint)
                 .or(() -> finishing.complaint(
                         samples.wholeNumber(),
-                        shown.choice().filter(Picture::isColor).isPresent()));
+                        shown.choice().filter(StageOrView::isColor).isPresent()));
     }
 
     private void check() {

@@ -14,7 +14,7 @@ import dev.twister.render.Sampling;
 import dev.twister.scene.Scene;
 import dev.twister.world.Animation;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -30,7 +30,7 @@ public final class WindowOrder {
      * @param seen a picture with the bodies' positions; empty for those of the scene
      */
     public static RenderOrder picture(
-            Scene scene, Picture picture, EngineOffer engine, Optional<FrameInput> seen, Path file) {
+            Scene scene, StageOrView picture, EngineOffer engine, Optional<FrameInput> seen, Path file) {
         BodyMotion bodies = seen.<BodyMotion>map(BodyMotion.Seen::new).orElse(new BodyMotion.Still());
         return of(
                 scene,
@@ -45,7 +45,7 @@ public final class WindowOrder {
      *
      * @param scene with the size and the samples to render with
      */
-    public static RenderOrder film(Scene scene, Picture picture, EngineOffer engine, FilmPlan film, Path file) {
+    public static RenderOrder film(Scene scene, StageOrView picture, EngineOffer engine, FilmPlan film, Path file) {
         return of(
                 scene,
                 picture,
@@ -55,12 +55,10 @@ public final class WindowOrder {
     }
 
     private static RenderOrder of(
-            Scene scene, Picture picture, EngineOffer engine, Movement movement, RenderOutput output) {
-        // The last stage is the picture itself, which files and commands call by this name.
-        Picture named = picture == Picture.REFLECTIONS ? Picture.BEAUTY : picture;
+            Scene scene, StageOrView picture, EngineOffer engine, Movement movement, RenderOutput output) {
         Sampling sampling = new Sampling(scene.rendering().samplesPerPixel(), Optional.empty());
         return new RenderOrder(
-                scene, engine, List.of(named), sampling, PicturePart.WHOLE, movement, Finishing.NONE, output);
+                scene, engine, List.of(picture), sampling, PicturePart.WHOLE, movement, Finishing.NONE, output);
     }
 
     /**

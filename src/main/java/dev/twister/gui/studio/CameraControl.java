@@ -2,10 +2,10 @@ package dev.twister.gui.studio;
 
 import dev.twister.gui.edit.ViewEdits;
 import dev.twister.scene.CameraView;
-import dev.twister.scene.SceneLimits;
-import dev.twister.world.CameraMotion;
-import dev.twister.world.Turn;
-import dev.twister.world.Walk;
+import dev.twister.scene.property.SceneLimits;
+import dev.twister.world.animation.CameraMotion;
+import dev.twister.world.animation.Turn;
+import dev.twister.world.animation.Walk;
 import java.util.List;
 import java.util.function.Consumer;
 import javafx.beans.property.ObjectProperty;

@@ -4,7 +4,7 @@ import dev.twister.gui.edit.CameraRig;
 import dev.twister.gui.edit.SceneHistory;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
-import dev.twister.world.CameraMotion;
+import dev.twister.world.animation.CameraMotion;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BiConsumer;

@@ -1,9 +1,9 @@
 package dev.twister.gui.studio;
 
 import dev.twister.scene.Camera;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
-import dev.twister.world.CameraMotion;
+import dev.twister.scene.property.SceneLimits;
+import dev.twister.world.animation.CameraMotion;
 
 /** Moves the camera about a point of the scene, as 3D programs do. */
 public final class Orbit {

@@ -4,10 +4,10 @@ import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.physics.SameSpheres;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
-import dev.twister.scene.Tag;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.select.Tag;
 import java.util.List;
 
 /**

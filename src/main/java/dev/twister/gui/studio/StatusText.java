@@ -7,7 +7,7 @@ import dev.twister.gui.property.CameraNumbers;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -27,7 +27,7 @@ public final class StatusText {
         Camera camera = picture.request().scene().camera();
         return Stream.of(
                         name.isEmpty() ? "untitled" : name,
-                        picture.request().shown() == Picture.REFLECTIONS
+                        picture.request().shown() == StageOrView.BEAUTY
                                 ? ""
                                 : StagesAndViews.label(picture.request().shown()),
                         (chosen.equals(picture.engine()) ? "" : chosen + ": ") + picture.engine() + " ("

@@ -16,11 +16,11 @@ import dev.twister.image.PictureSize;
 import dev.twister.scene.Body;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneBodies;
-import dev.twister.scene.VisibleBodies;
-import dev.twister.world.Picture;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.select.SceneBodies;
+import dev.twister.scene.select.VisibleBodies;
+import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -54,7 +54,7 @@ public final class Studio implements AutoCloseable {
     private final Document document;
     private final ReadOnlyObjectWrapper<EngineChoice> engine;
     private final ReadOnlyObjectWrapper<ResolutionMode> resolution = new ReadOnlyObjectWrapper<>(ResolutionMode.WINDOW);
-    private final ReadOnlyObjectWrapper<Picture> shown = new ReadOnlyObjectWrapper<>(Picture.REFLECTIONS);
+    private final ReadOnlyObjectWrapper<StageOrView> shown = new ReadOnlyObjectWrapper<>(StageOrView.BEAUTY);
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<DrawingLoop.Status> drawing =
             new ReadOnlyObjectWrapper<>(DrawingLoop.Status.QUIET);
@@ -299,11 +299,11 @@ public final class Studio implements AutoCloseable {
     }
 
     /** What is displayed: the picture, a stage or a view. */
-    public ReadOnlyObjectProperty<Picture> shownProperty() {
+    public ReadOnlyObjectProperty<StageOrView> shownProperty() {
         return shown.getReadOnlyProperty();
     }
 
-    public void setShown(Picture picture) {
+    public void setShown(StageOrView picture) {
         shown.set(picture);
         request();
     }

@@ -13,8 +13,8 @@ import dev.twister.gui.drawing.DrawingRequest.Refinement;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
-import dev.twister.world.Picture;
 import dev.twister.world.SceneMeshes;
+import dev.twister.world.StageOrView;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -166,7 +166,7 @@ class BackgroundDenoisingTest {
     private void request(Scene wanted, Refinement refinement) {
         requests++;
         loop.request(new DrawingRequest(
-                requests, 0, wanted, SIDE, SIDE, engine, refinement, Motion.NONE, Picture.REFLECTIONS));
+                requests, 0, wanted, SIDE, SIDE, engine, refinement, Motion.NONE, StageOrView.BEAUTY));
     }
 
     private DrawnPicture await(Predicate<DrawnPicture> condition) {

@@ -9,8 +9,8 @@ import dev.twister.gui.drawing.DrawingRequest.Refinement;
 import dev.twister.image.HdrWriter;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
-import dev.twister.world.Picture;
 import dev.twister.world.SceneMeshes;
+import dev.twister.world.StageOrView;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -493,7 +493,7 @@ class DrawingLoopTest {
         List<Integer> samples = new CopyOnWriteArrayList<>();
         loop.watch(picture -> samples.add(picture.samples()));
         loop.request(new DrawingRequest(
-                2, 1, scene, LARGE_WIDTH, LARGE_HEIGHT, chosen, Refinement.to(16), Motion.NONE, Picture.REFLECTIONS));
+                2, 1, scene, LARGE_WIDTH, LARGE_HEIGHT, chosen, Refinement.to(16), Motion.NONE, StageOrView.BEAUTY));
 
         await(() -> !samples.isEmpty());
         // What is clicked in the one before is of no scene any more, and more samples take as much longer.
@@ -539,7 +539,7 @@ class DrawingLoopTest {
                 chosen,
                 Refinement.to(1),
                 motion,
-                Picture.REFLECTIONS);
+                StageOrView.BEAUTY);
     }
 
     private void beSlow(TestEngine.Kind kind) {
@@ -619,7 +619,7 @@ class DrawingLoopTest {
     private void request(Scene wanted, int refineTo, Motion motion) {
         requests++;
         loop.request(new DrawingRequest(
-                requests, 0, wanted, WIDTH, HEIGHT, chosen, Refinement.to(refineTo), motion, Picture.REFLECTIONS));
+                requests, 0, wanted, WIDTH, HEIGHT, chosen, Refinement.to(refineTo), motion, StageOrView.BEAUTY));
     }
 
     private DrawnPicture awaitAnswer() {

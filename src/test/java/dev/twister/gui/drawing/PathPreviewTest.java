@@ -12,8 +12,8 @@ import dev.twister.image.FrameTimes;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
 import dev.twister.world.SceneMeshes;
+import dev.twister.world.StageOrView;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -216,7 +216,7 @@ class PathPreviewTest {
                 new EngineChoice(0, paced),
                 Refinement.to(refineTo),
                 motion,
-                Picture.REFLECTIONS));
+                StageOrView.BEAUTY));
     }
 
     private DrawnPicture await(Predicate<DrawnPicture> wanted) {

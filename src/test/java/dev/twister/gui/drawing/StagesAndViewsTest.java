@@ -2,24 +2,21 @@ package dev.twister.gui.drawing;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import org.junit.jupiter.api.Test;
 
 class StagesAndViewsTest {
     @Test
     void theFullPictureIsOfferedOnce() {
-        assertThat(StagesAndViews.all())
-                .doesNotHaveDuplicates()
-                .contains(Picture.REFLECTIONS, Picture.TESTS)
-                .doesNotContain(Picture.BEAUTY);
+        assertThat(StagesAndViews.all()).doesNotHaveDuplicates().contains(StageOrView.BEAUTY, StageOrView.TESTS);
         assertThat(StagesAndViews.all().stream().map(StagesAndViews::label))
                 .contains("Hard shadows", "Reflections (full picture)", "Normal");
     }
 
     @Test
     void stepsGoRoundAndBack() {
-        assertThat(StagesAndViews.along(Picture.TESTS, 1)).isEqualTo(Picture.COLORS);
-        assertThat(StagesAndViews.along(Picture.COLORS, -1)).isEqualTo(Picture.TESTS);
-        assertThat(StagesAndViews.along(Picture.REFLECTIONS, 1)).isEqualTo(Picture.ALBEDO);
+        assertThat(StagesAndViews.along(StageOrView.TESTS, 1)).isEqualTo(StageOrView.COLORS);
+        assertThat(StagesAndViews.along(StageOrView.COLORS, -1)).isEqualTo(StageOrView.TESTS);
+        assertThat(StagesAndViews.along(StageOrView.BEAUTY, 1)).isEqualTo(StageOrView.ALBEDO);
     }
 }

@@ -3,8 +3,8 @@ package dev.twister.gui.edit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.SceneLimits;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 

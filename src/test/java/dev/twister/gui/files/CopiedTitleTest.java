@@ -2,7 +2,7 @@ package dev.twister.gui.files;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.scene.Title;
+import dev.twister.scene.select.Title;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 

@@ -10,7 +10,7 @@ import dev.twister.gui.edit.Scenes;
 import dev.twister.image.Frame;
 import dev.twister.scene.Rgb;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import org.junit.jupiter.api.Test;
 
 class PixelReadingTest {
@@ -37,7 +37,7 @@ class PixelReadingTest {
 
     @Test
     void aViewHasItsNumberAndTheSkyNoDistance() {
-        PixelReading depth = PixelReading.of(input.showing(Picture.DEPTH), 1, X, Y, 0);
+        PixelReading depth = PixelReading.of(input.showing(StageOrView.DEPTH), 1, X, Y, 0);
         PixelReading sky = PixelReading.of(input, 1, Scenes.WIDTH - 1, 0, 0);
 
         assertThat(depth.radiance().red()).isCloseTo(8.5, within(0.01));

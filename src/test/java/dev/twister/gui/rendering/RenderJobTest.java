@@ -10,7 +10,7 @@ import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.render.FrameRange;
 import dev.twister.render.RenderOrder;
 import dev.twister.scene.Scene;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -147,7 +147,7 @@ class RenderJobTest {
         Path file = folder.resolve(name);
         FilmPlan film = new FilmPlan(FilmMotion.PHYSICS, 30, FrameRange.ofCount(frames));
         return frames > 1
-                ? WindowOrder.film(scene, Picture.REFLECTIONS, engine, film, file)
-                : WindowOrder.picture(scene, Picture.REFLECTIONS, engine, Optional.empty(), file);
+                ? WindowOrder.film(scene, StageOrView.BEAUTY, engine, film, file)
+                : WindowOrder.picture(scene, StageOrView.BEAUTY, engine, Optional.empty(), file);
     }
 }

@@ -16,7 +16,7 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
-import dev.twister.world.CameraMotion;
+import dev.twister.world.animation.CameraMotion;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
