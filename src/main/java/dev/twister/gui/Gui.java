@@ -10,6 +10,7 @@ import dev.twister.gui.files.SettingsStore;
 import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.files.SystemFileChoice;
 import dev.twister.gui.files.WindowSettings;
+import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -170,5 +171,19 @@ public final class Gui {
     /** Called before JavaFX starts, which has texts in several languages and takes the system's. */
     static void chooseLanguage() {
         Locale.setDefault(Locale.ENGLISH);
+    }
+
+    /**
+     * What the window starts with.
+     *
+     * @param opened shown first
+     * @param asked whether the user named it, so that it is listed among recent scenes
+     * @param toOpen a file that could not be read before: the window opens it and tells what is wrong with it
+     */
+    public record FirstScene(OpenedScene opened, boolean asked, Optional<Path> toOpen) {
+        /** A scene that nobody named. */
+        public static FirstScene of(OpenedScene opened) {
+            return new FirstScene(opened, false, Optional.empty());
+        }
     }
 }

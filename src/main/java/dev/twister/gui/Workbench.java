@@ -7,7 +7,7 @@ import dev.twister.gui.camera.KeyframeMenu;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Dialogs;
-import dev.twister.gui.drawing.Motion;
+import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.BodyTransform;

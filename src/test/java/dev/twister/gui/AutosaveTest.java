@@ -2,8 +2,8 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.files.Autosave;
 import dev.twister.gui.files.AutosaveFolder;
+import dev.twister.gui.files.AutosaveFolder.Autosave;
 import dev.twister.gui.studio.EditedFile;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.scene.Scene;

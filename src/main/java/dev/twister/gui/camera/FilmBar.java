@@ -4,7 +4,7 @@ import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.DropDownKeys;
 import dev.twister.gui.controls.Ids;
-import dev.twister.gui.controls.StillCaret;
+import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.edit.KeyframeEdits;
 import dev.twister.gui.studio.Film;
@@ -96,7 +96,7 @@ public final class FilmBar extends HBox {
         setHgrow(line, Priority.ALWAYS);
         time.setId("film-time");
         time.setAccessibleText("Time in the film, in seconds");
-        StillCaret.install(time);
+        NumberField.stopCaret(time);
         time.setPrefColumnCount(TIME_COLUMNS);
         time.setMinWidth(USE_PREF_SIZE);
         time.setTooltip(Tooltips.of("Time in the film, in seconds. Between keyframes the camera goes there."));

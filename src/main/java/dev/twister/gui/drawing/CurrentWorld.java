@@ -1,5 +1,6 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.scene.Scene;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;

@@ -3,6 +3,7 @@ package dev.twister.gui.files;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
 import dev.twister.gui.edit.SceneHistory;
+import dev.twister.gui.files.AutosaveFolder.Autosave;
 import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.EditedFile;
 import dev.twister.gui.studio.OpenedScene;

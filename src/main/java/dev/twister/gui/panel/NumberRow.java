@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Command;
-import dev.twister.gui.controls.StillCaret;
+import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.property.NumberProperty;
 import dev.twister.gui.property.NumberScale;
 import dev.twister.gui.studio.Studio;
@@ -98,7 +98,7 @@ public final class NumberRow extends PanelRow {
             drag = Optional.empty();
             studio.endGesture();
         });
-        StillCaret.install(field);
+        NumberField.stopCaret(field);
         field.setOnAction(_ -> takeTyped());
         field.focusedProperty().subscribe((_, focused) -> {
             if (!focused) {

@@ -4,7 +4,7 @@ import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Ids;
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.drawing.Motion;
+import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.property.SceneNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;

@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Ids;
-import dev.twister.gui.controls.StillCaret;
+import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.edit.ViewEdits;
 import dev.twister.gui.studio.CameraControl;
@@ -51,7 +51,7 @@ final class ViewList extends VBox {
         list.fixedCellSizeProperty().subscribe(_ -> fitHeight());
         list.addEventHandler(KeyEvent.KEY_PRESSED, this::pressed);
         name.setId("view-name");
-        StillCaret.install(name);
+        NumberField.stopCaret(name);
         name.setOnAction(_ -> {
             if (takeName()) {
                 list.requestFocus();

@@ -4,6 +4,7 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.picking.Projection;
 import dev.twister.gui.picture.PathLines.Kind;
 import dev.twister.gui.picture.PathLines.Line;
+import dev.twister.gui.picture.PictureView.PicturePlace;
 import dev.twister.gui.studio.Studio;
 import java.util.List;
 import javafx.geometry.Point2D;

@@ -83,8 +83,7 @@ public final class PixelInspector extends HBox {
 
     private void show(PixelReading pixel, DrawnPicture picture) {
         swatch.setFill(Color.rgb(pixel.argb() >> 16 & 255, pixel.argb() >> 8 & 255, pixel.argb() & 255));
-        show(InspectorText.of(
-                pixel, picture.sceneBody(pixel.body()), picture.request().shown()));
+        show(pixel.text(picture.sceneBody(pixel.body()), picture.request().shown()));
     }
 
     private void show(String said) {

@@ -7,6 +7,8 @@ import dev.twister.image.Frame;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;
 import dev.twister.world.FrameInput;
+import dev.twister.world.StageOrView;
+import java.util.Locale;
 
 /**
  * What there is to know of a pixel.
@@ -45,5 +47,51 @@ public record PixelReading(int x, int y, int argb, Rgb radiance, int body, doubl
                 ray.body(),
                 ray.body() == Layout.NOTHING ? 0 : ray.distance(),
                 samples);
+    }
+
+    /**
+     * What the inspector says of the
+     *
+     * @param sceneBody the body of the pixel, as the scene numbers it
+     */
+    String text(int sceneBody, StageOrView shown) {
+        return String.format(
+                Locale.ROOT,
+                "x %d   y %d   RGB %d %d %d   #%06X%n%s%n%s   %d %s",
+                x,
+                y,
+                argb >> 16 & 255,
+                argb >> 8 & 255,
+                argb & 255,
+                argb & 0xFFFFFF,
+                value(radiance, shown),
+                sceneBody == BodyNumber.NONE
+                        ? "sky"
+                        : String.format(Locale.ROOT, "%s, %.3f m away", bodyName(sceneBody), distance),
+                samples,
+                samples == 1 ? "sample" : "samples");
+    }
+
+    /** A body as the scene numbers it. */
+    static String bodyName(int body) {
+        if (BodyNumber.mesh(body) < 0 && BodyNumber.light(body) > 0) {
+            return "light " + (BodyNumber.light(body) + 1);
+        }
+        return switch (body) {
+            case BodyNumber.NONE -> "sky";
+            case BodyNumber.LIGHT -> "light";
+            case BodyNumber.PLANE -> "plane";
+            default ->
+                BodyNumber.mesh(body) >= 0
+                        ? "mesh " + (BodyNumber.mesh(body) + 1)
+                        : "sphere " + (BodyNumber.sphere(body) + 1);
+        };
+    }
+
+    private static String value(Rgb value, StageOrView shown) {
+        String name = shown.isColor() ? "radiance" : shown.id();
+        return shown.isNumber()
+                ? String.format(Locale.ROOT, "%s %.5g", name, value.red())
+                : String.format(Locale.ROOT, "%s %.5f %.5f %.5f", name, value.red(), value.green(), value.blue());
     }
 }

@@ -1,6 +1,6 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.drawing.Motion;
+import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyNumber;
 import java.util.function.Consumer;

@@ -1,7 +1,7 @@
 package dev.twister.gui.studio;
 
+import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.physics.SameSpheres;
 import dev.twister.scene.Scene;

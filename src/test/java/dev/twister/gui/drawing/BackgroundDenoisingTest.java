@@ -9,6 +9,7 @@ import dev.twister.denoise.FakeDenoiser;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.WindowScenes;
 import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
+import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.drawing.DrawingRequest.Refinement;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.WindowScenes;
 import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
+import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.drawing.DrawingRequest.Refinement;
 import dev.twister.image.HdrWriter;
 import dev.twister.scene.Scene;

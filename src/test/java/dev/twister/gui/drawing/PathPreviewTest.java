@@ -6,6 +6,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.WindowScenes;
 import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
+import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.drawing.DrawingRequest.Refinement;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;

@@ -3,6 +3,7 @@ package dev.twister.gui.files;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.ChildJvm;
+import dev.twister.gui.files.AutosaveFolder.Autosave;
 import dev.twister.gui.studio.EditedFile;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
