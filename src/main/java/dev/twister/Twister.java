@@ -11,7 +11,7 @@ import dev.twister.image.Frame;
 import dev.twister.mesh.MeshException;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
-import dev.twister.scene.VisibleBodies;
+import dev.twister.scene.select.VisibleBodies;
 import dev.twister.sky.SkyException;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;

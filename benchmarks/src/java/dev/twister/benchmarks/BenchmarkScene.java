@@ -2,8 +2,8 @@ package dev.twister.benchmarks;
 
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.format.SceneReader;
+import dev.twister.scene.generate.SceneGenerator;
 import dev.twister.world.SceneImages;
 import dev.twister.world.World;
 import java.nio.file.Path;

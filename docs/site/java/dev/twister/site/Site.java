@@ -1,6 +1,6 @@
 package dev.twister.site;
 
-import dev.twister.bench.ResultsPage;
+import dev.twister.bench.results.ResultsPage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -23,17 +23,17 @@ public final class ReportNumbers {
                 .toPlainString();
     }
 
-    static BigDecimal rounded(double value) {
+    public static BigDecimal rounded(double value) {
         return BigDecimal.valueOf(value).setScale(DECIMALS, RoundingMode.HALF_UP);
     }
 
     /** A count with its noun, such as {@code 1 bounce} or {@code 3 bounces}. */
-    static String counted(int count, String thing) {
+    public static String counted(int count, String thing) {
         return count + " " + thing + (count == 1 ? "" : "s");
     }
 
     /** Without a trailing {@code .0}. */
-    static String shortest(double value) {
+    public static String shortest(double value) {
         return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
     }
 }

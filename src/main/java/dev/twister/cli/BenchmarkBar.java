@@ -1,6 +1,6 @@
 package dev.twister.cli;
 
-import dev.twister.bench.BenchmarkProgress;
+import dev.twister.bench.benchmark.BenchmarkProgress;
 import dev.twister.image.PictureSize;
 
 /** Shows on a progress line what is measured, and how far that is. */

@@ -1,10 +1,10 @@
 package dev.twister.cli;
 
-import dev.twister.bench.BenchmarkPlan;
-import dev.twister.bench.BenchmarkProgress;
-import dev.twister.bench.BenchmarkReport;
-import dev.twister.bench.EngineFailure;
-import dev.twister.bench.ReportTable;
+import dev.twister.bench.benchmark.BenchmarkPlan;
+import dev.twister.bench.benchmark.BenchmarkProgress;
+import dev.twister.bench.benchmark.BenchmarkReport;
+import dev.twister.bench.benchmark.EngineFailure;
+import dev.twister.bench.report.ReportTable;
 import dev.twister.files.LastWrites;
 import dev.twister.image.PictureSize;
 import java.io.PrintWriter;

@@ -1,12 +1,12 @@
 package dev.twister.cli;
 
-import dev.twister.bench.Jit;
+import dev.twister.bench.benchmark.Jit;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.ToneMap;
 import dev.twister.sky.ShippedSky;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.io.IOException;
 import java.util.Collections;
 import java.util.Iterator;
@@ -64,14 +64,14 @@ final class Completions {
     static final class OfStage implements Iterable<String> {
         @Override
         public Iterator<String> iterator() {
-            return Picture.stages().stream().map(Picture::id).iterator();
+            return StageOrView.stages().stream().map(StageOrView::stageId).iterator();
         }
     }
 
     static final class OfView implements Iterable<String> {
         @Override
         public Iterator<String> iterator() {
-            return Picture.views().stream().map(Picture::id).iterator();
+            return StageOrView.views().stream().map(StageOrView::id).iterator();
         }
     }
 

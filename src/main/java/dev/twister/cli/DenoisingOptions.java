@@ -3,7 +3,7 @@ package dev.twister.cli;
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.denoise.Denoisers;
 import dev.twister.render.Finishing;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -36,7 +36,7 @@ final class DenoisingOptions {
     }
 
     /** Rejects options that exclude denoising. */
-    void check(Path output, List<Picture> pictures, PartOptions part) {
+    void check(Path output, List<StageOrView> pictures, PartOptions part) {
         if ((denoise || guides || lightLayers) && pictures.stream().noneMatch(Finishing::isFull)) {
             throw new BadInputException((denoise ? "--denoise" : layersOption())
                     + " needs the full picture; add the view beauty, or leave --stage and --view out");

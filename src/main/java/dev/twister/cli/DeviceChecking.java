@@ -1,11 +1,11 @@
 package dev.twister.cli;
 
-import dev.twister.bench.CheckedEngine;
-import dev.twister.bench.CheckedScene;
-import dev.twister.bench.DeviceCheck;
-import dev.twister.bench.DeviceCheckJson;
-import dev.twister.bench.DeviceCheckPlan;
-import dev.twister.bench.DeviceCheckTable;
+import dev.twister.bench.device.CheckedEngine;
+import dev.twister.bench.device.CheckedScene;
+import dev.twister.bench.device.DeviceCheck;
+import dev.twister.bench.device.DeviceCheckJson;
+import dev.twister.bench.device.DeviceCheckPlan;
+import dev.twister.bench.device.DeviceCheckTable;
 import dev.twister.engine.EngineOffer;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;

@@ -1,7 +1,7 @@
 package dev.twister.cli;
 
-import dev.twister.bench.DeviceCheckPlan;
-import dev.twister.bench.Jit;
+import dev.twister.bench.benchmark.Jit;
+import dev.twister.bench.device.DeviceCheckPlan;
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.denoise.Denoisers;
 import dev.twister.engine.EngineOffer;

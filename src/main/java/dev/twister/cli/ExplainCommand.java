@@ -8,7 +8,7 @@ import dev.twister.explain.PixelPath;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.scene.VisibleBodies;
+import dev.twister.scene.select.VisibleBodies;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.io.PrintWriter;

@@ -1,8 +1,8 @@
 package dev.twister.cli;
 
-import dev.twister.bench.FiguresPage;
-import dev.twister.bench.PaperFigures;
-import dev.twister.bench.RenderedFigure;
+import dev.twister.bench.figures.PaperFigures;
+import dev.twister.bench.figures.RenderedFigure;
+import dev.twister.bench.page.FiguresPage;
 import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import java.io.IOException;

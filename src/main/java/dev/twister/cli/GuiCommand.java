@@ -1,9 +1,9 @@
 package dev.twister.cli;
 
-import dev.twister.bench.WindowRates;
+import dev.twister.bench.report.WindowRates;
 import dev.twister.engine.Engines;
-import dev.twister.gui.FirstScene;
 import dev.twister.gui.Gui;
+import dev.twister.gui.Gui.FirstScene;
 import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.scene.SceneException;

@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.engine.AutoExposure;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrWriter;
 import dev.twister.image.HdrWriter;
@@ -8,7 +9,6 @@ import dev.twister.image.Provenance;
 import dev.twister.render.FileDisplay;
 import dev.twister.render.PictureLayers;
 import dev.twister.scene.Rendering;
-import dev.twister.world.AutoExposure;
 import dev.twister.world.TonedPixels;
 import java.io.IOException;
 import java.nio.file.Path;

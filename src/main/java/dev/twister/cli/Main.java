@@ -1,7 +1,7 @@
 package dev.twister.cli;
 
-import dev.twister.bench.EngineFailure;
-import dev.twister.bench.Jit;
+import dev.twister.bench.benchmark.EngineFailure;
+import dev.twister.bench.benchmark.Jit;
 import dev.twister.mesh.MeshPose;
 import dev.twister.render.Background;
 import dev.twister.scene.Integrator;

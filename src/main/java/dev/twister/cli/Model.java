@@ -1,6 +1,6 @@
 package dev.twister.cli;
 
-import dev.twister.gui.FirstScene;
+import dev.twister.gui.Gui.FirstScene;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPose;

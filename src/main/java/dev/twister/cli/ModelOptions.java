@@ -2,7 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.mesh.MeshPose;
 import dev.twister.scene.Rotation;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.property.SceneLimits;
 import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;

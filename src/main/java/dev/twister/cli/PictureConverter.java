@@ -1,7 +1,8 @@
 package dev.twister.cli;
 
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
@@ -10,25 +11,25 @@ import picocli.CommandLine.TypeConversionException;
 final class PictureConverter {
     private PictureConverter() {}
 
-    static final class OfStage implements ITypeConverter<Picture> {
+    static final class OfStage implements ITypeConverter<StageOrView> {
         @Override
-        public Picture convert(String text) {
-            return find(text, Picture.stages());
+        public StageOrView convert(String text) {
+            return find(text, StageOrView.stages(), StageOrView::stageId);
         }
     }
 
-    static final class OfView implements ITypeConverter<Picture> {
+    static final class OfView implements ITypeConverter<StageOrView> {
         @Override
-        public Picture convert(String text) {
-            return find(text, Picture.views());
+        public StageOrView convert(String text) {
+            return find(text, StageOrView.views(), StageOrView::id);
         }
     }
 
-    private static Picture find(String text, List<Picture> choices) {
+    private static StageOrView find(String text, List<StageOrView> choices, Function<StageOrView, String> name) {
         return choices.stream()
-                .filter(choice -> choice.id().equalsIgnoreCase(text))
+                .filter(choice -> name.apply(choice).equalsIgnoreCase(text))
                 .findFirst()
                 .orElseThrow(() -> new TypeConversionException("unknown value '" + text + "'; expected one of: "
-                        + choices.stream().map(Picture::id).collect(Collectors.joining(", "))));
+                        + choices.stream().map(name).collect(Collectors.joining(", "))));
     }
 }

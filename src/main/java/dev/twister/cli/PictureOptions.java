@@ -1,6 +1,6 @@
 package dev.twister.cli;
 
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;
@@ -13,7 +13,7 @@ final class PictureOptions {
             converter = PictureConverter.OfStage.class,
             completionCandidates = Completions.OfStage.class,
             description = "Stop at a stage of the picture: ${COMPLETION-CANDIDATES} (the full picture).")
-    private Optional<Picture> stage = Optional.empty();
+    private Optional<StageOrView> stage = Optional.empty();
 
     @Option(
             names = "--view",
@@ -25,20 +25,20 @@ final class PictureOptions {
                     "Render values per pixel: ${COMPLETION-CANDIDATES}. Several names, separated by commas, become"
                             + " layers of an"
                             + " .exr file.")
-    private List<Picture> views = List.of();
+    private List<StageOrView> views = List.of();
 
     /**
      * The pictures in the order of the options; at least one.
      *
      * @throws BadInputException if a view is named twice, or together with a stage
      */
-    List<Picture> pictures() {
+    List<StageOrView> pictures() {
         if (stage.isPresent() && !views.isEmpty()) {
             throw new BadInputException("--stage and --view exclude each other; give one of them");
         }
         if (views.stream().distinct().count() < views.size()) {
             throw new BadInputException("--view has the same name twice; give each once");
         }
-        return views.isEmpty() ? List.of(stage.orElse(Picture.BEAUTY)) : views;
+        return views.isEmpty() ? List.of(stage.orElse(StageOrView.BEAUTY)) : views;
     }
 }

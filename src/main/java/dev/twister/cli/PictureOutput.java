@@ -6,7 +6,7 @@ import dev.twister.render.ExistingFrames;
 import dev.twister.render.FrameRange;
 import dev.twister.render.PictureFormat;
 import dev.twister.render.RenderOutput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -31,11 +31,11 @@ final class PictureOutput {
             Path file,
             Optional<FrameRange> frames,
             ExistingFrames existing,
-            List<Picture> pictures,
+            List<StageOrView> pictures,
             Background background) {
         RenderOutput output = new RenderOutput(file, frames, existing, background);
         if (background == Background.NONE
-                && (output.format() != PictureFormat.PNG || !pictures.equals(List.of(Picture.BEAUTY)))) {
+                && (output.format() != PictureFormat.PNG || !pictures.equals(List.of(StageOrView.BEAUTY)))) {
             throw new BadInputException(
                     "--background none needs a .png file, without --stage and --view; --output is " + file);
         }

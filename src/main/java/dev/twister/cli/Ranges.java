@@ -1,6 +1,6 @@
 package dev.twister.cli;
 
-import dev.twister.scene.Range;
+import dev.twister.scene.property.Range;
 import java.math.BigDecimal;
 
 /** Numbers that options take, both ends inside. */

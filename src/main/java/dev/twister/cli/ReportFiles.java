@@ -1,8 +1,8 @@
 package dev.twister.cli;
 
-import dev.twister.bench.BenchmarkReport;
-import dev.twister.bench.CsvReport;
-import dev.twister.bench.JsonReport;
+import dev.twister.bench.benchmark.BenchmarkReport;
+import dev.twister.bench.report.CsvReport;
+import dev.twister.bench.report.JsonReport;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;

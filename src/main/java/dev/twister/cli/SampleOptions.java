@@ -1,7 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.render.Sampling;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;
@@ -37,8 +37,8 @@ final class SampleOptions {
      *
      * @throws BadInputException if a picture has numbers, whose noise is not defined
      */
-    void check(List<Picture> pictures) {
-        if (noise.isPresent() && !pictures.stream().allMatch(Picture::isColor)) {
+    void check(List<StageOrView> pictures) {
+        if (noise.isPresent() && !pictures.stream().allMatch(StageOrView::isColor)) {
             throw new BadInputException(
                     "--noise works for pictures of colors only; use --samples for views of numbers");
         }

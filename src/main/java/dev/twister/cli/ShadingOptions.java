@@ -2,7 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.property.SceneLimits;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 

@@ -9,7 +9,7 @@ import dev.twister.physics.Simulation;
 import dev.twister.render.FrameRange;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Scene;
-import dev.twister.scene.VisibleBodies;
+import dev.twister.scene.select.VisibleBodies;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;

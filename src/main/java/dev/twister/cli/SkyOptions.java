@@ -1,9 +1,9 @@
 package dev.twister.cli;
 
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sky;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.property.SceneLimits;
 import java.nio.file.Path;
 import java.util.Optional;
 import picocli.CommandLine.Option;

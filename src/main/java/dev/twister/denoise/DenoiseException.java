@@ -8,7 +8,7 @@ public final class DenoiseException extends RuntimeException {
         super(message);
     }
 
-    DenoiseException(String message, Throwable cause) {
+    public DenoiseException(String message, Throwable cause) {
         super(message, cause);
     }
 }

@@ -1,5 +1,7 @@
 package dev.twister.engine;
 
+import dev.twister.image.Frame;
+import dev.twister.world.FrameInput;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -39,7 +41,7 @@ public final class Engines {
         return offers(provider -> provider.devices().isEmpty());
     }
 
-    static List<EngineOffer> offers(Predicate<EngineProvider> asked) {
+    public static List<EngineOffer> offers(Predicate<EngineProvider> asked) {
         return providers()
                 .filter(asked)
                 .sorted(Comparator.comparing((EngineProvider provider) -> !(provider instanceof JvmEngines))
@@ -87,5 +89,59 @@ public final class Engines {
                 .or(() -> offers.stream()
                         .filter(offer -> deviceFamilies().contains(name) && isOf(name, offer.id()))
                         .findFirst());
+    }
+
+    /** An engine that refuses to render once it is closed. */
+    private static final class OpenEngine implements Engine {
+        private final Engine engine;
+        private volatile boolean closed;
+
+        OpenEngine(Engine engine) {
+            this.engine = engine;
+        }
+
+        @Override
+        public String id() {
+            return engine.id();
+        }
+
+        @Override
+        public String device() {
+            return engine.device();
+        }
+
+        @Override
+        public void render(FrameInput input, Frame frame) {
+            if (closed) {
+                throw new IllegalStateException("engine " + id() + " is closed");
+            }
+            engine.render(input, frame);
+        }
+
+        @Override
+        public void onFaster(Runnable listener) {
+            engine.onFaster(listener);
+        }
+
+        @Override
+        public boolean drawsBandsInProportion() {
+            return engine.drawsBandsInProportion();
+        }
+
+        @Override
+        public boolean declines(FrameInput input) {
+            return engine.declines(input);
+        }
+
+        @Override
+        public void rest() {
+            engine.rest();
+        }
+
+        @Override
+        public void close() {
+            closed = true;
+            engine.close();
+        }
     }
 }

@@ -1,7 +1,6 @@
 package dev.twister.engine;
 
 import dev.twister.image.Frame;
-import dev.twister.world.AutoExposure;
 import dev.twister.world.FrameInput;
 import java.util.OptionalDouble;
 

@@ -1,7 +1,7 @@
 package dev.twister.engine;
 
 import dev.twister.image.Frame;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.awt.Color;
 import java.util.stream.IntStream;
 
@@ -33,20 +33,20 @@ public final class NumberColors {
      * @param picture a view whose values are not colors
      * @param values three floats per pixel, as in a linear {@link Frame}
      */
-    public static int[] pixels(Picture picture, float[] values) {
+    public static int[] pixels(StageOrView picture, float[] values) {
         int[] pixels = new int[values.length / CHANNELS];
         paint(picture, values, pixels);
         return pixels;
     }
 
     /** As above, into existing pixels. */
-    public static void paint(Picture picture, float[] values, int[] argb) {
+    public static void paint(StageOrView picture, float[] values, int[] argb) {
         IntStream.range(0, argb.length)
                 .parallel()
                 .forEach(pixel -> argb[pixel] = OPAQUE | color(picture, values, CHANNELS * pixel));
     }
 
-    private static int color(Picture picture, float[] values, int at) {
+    private static int color(StageOrView picture, float[] values, int at) {
         return switch (picture) {
             case DEPTH -> gray(values[at] > 0 ? MIDDLE_DEPTH / (MIDDLE_DEPTH + values[at]) : 0);
             case BODY -> body(Math.round(values[at]));

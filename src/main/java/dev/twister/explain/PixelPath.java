@@ -8,7 +8,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
 import dev.twister.scene.Rgb;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.IntStream;
@@ -47,7 +47,7 @@ public record PixelPath(
         Objects.checkIndex(column, input.width());
         Objects.checkIndex(row, input.height());
         Objects.checkIndex(sample, input.samplesPerPixel());
-        FrameInput full = input.aspect() == Aspect.FULL ? input : input.showing(Picture.BEAUTY);
+        FrameInput full = input.aspect() == Aspect.FULL ? input : input.showing(StageOrView.BEAUTY);
         FrameInput band = full.band(row, 1);
         boolean traced = (band.variant(false) & Variant.PATH) != 0;
         List<PathStep> steps =

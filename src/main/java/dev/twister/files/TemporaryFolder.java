@@ -44,7 +44,7 @@ public final class TemporaryFolder implements AutoCloseable {
         return create(Path.of(System.getProperty("java.io.tmpdir")));
     }
 
-    static TemporaryFolder create(Path parent) throws IOException {
+    public static TemporaryFolder create(Path parent) throws IOException {
         deleteLeftovers(parent);
         try {
             TemporaryFolder folder =

@@ -31,7 +31,7 @@ public record FilmFile(Path file, Optional<Ffmpeg> ffmpeg) {
      *
      * @param path search path of programs
      */
-    static FilmFile of(Path output, String path) {
+    public static FilmFile of(Path output, String path) {
         Optional<Ffmpeg> ffmpeg = endsIn(output, MP4) ? Ffmpeg.find(path) : Optional.empty();
         if (ffmpeg.isPresent() || !endsIn(output, MP4)) {
             return new FilmFile(output, ffmpeg);
@@ -50,7 +50,7 @@ public record FilmFile(Path file, Optional<Ffmpeg> ffmpeg) {
      *
      * @throws IOException if the file cannot be written
      */
-    FilmEncoder begin(FilmFormat format) throws IOException {
+    public FilmEncoder begin(FilmFormat format) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw new IOException("cannot write " + file + ": it is not a regular file");
         }

@@ -1,14 +1,14 @@
 package dev.twister.gui;
 
 import dev.twister.bench.Statistics;
-import dev.twister.bench.WindowRates;
+import dev.twister.bench.report.WindowRates;
 import dev.twister.engine.auto.FastestEngine;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.ResolutionMode;
+import dev.twister.gui.drawing.ResolutionMode;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Sphere;
-import dev.twister.world.CameraPath;
+import dev.twister.world.animation.CameraPath;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

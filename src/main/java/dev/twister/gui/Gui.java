@@ -1,18 +1,20 @@
 package dev.twister.gui;
 
-import dev.twister.bench.WindowRates;
+import dev.twister.bench.report.WindowRates;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
+import dev.twister.gui.files.AutosaveFolder;
+import dev.twister.gui.files.DroppedFile;
+import dev.twister.gui.files.SettingsStore;
 import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.files.SystemFileChoice;
-import dev.twister.gui.model.AutosaveFolder;
-import dev.twister.gui.model.DroppedFile;
-import dev.twister.gui.model.SettingsStore;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowSettings;
+import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
@@ -25,6 +27,8 @@ import javafx.stage.Stage;
 public final class Gui {
     /** JavaFX says at each start that it would rather be on the module path; TornadoVM's SDK has that to itself. */
     private static final String CLASS_PATH_NOTICE = "Unsupported JavaFX configuration";
+
+    private static final String TOOLKIT = "glass.platform";
 
     private Gui() {}
 
@@ -61,8 +65,8 @@ public final class Gui {
             ShippedFolders shipped,
             UserFiles own,
             Consumer<MainWindow> whenOpen) {
-        Display.check();
-        Language.choose();
+        checkDisplay();
+        chooseLanguage();
         // PNG and JPEG skies are read by AWT, which must not open a display besides JavaFX's.
         System.setProperty("java.awt.headless", "true");
         Logger logger = Logger.getLogger("javafx");
@@ -79,7 +83,7 @@ public final class Gui {
                 }
             });
         } catch (RuntimeException | LinkageError problem) {
-            throw new NoDisplayException(Display.explain(problem), problem);
+            throw new NoDisplayException(explain(problem), problem);
         }
         try {
             // The window is hidden while the last files are written.
@@ -135,6 +139,51 @@ public final class Gui {
 
         static UserFiles ofThisUser() {
             return new UserFiles(SettingsStore.ofThisUser(), AutosaveFolder.ofThisUser());
+        }
+    }
+
+    /**
+     * Looks before JavaFX does, which would end with a stack trace on its own thread.
+     *
+     * @throws NoDisplayException if there is certainly no screen
+     */
+    static void checkDisplay() {
+        boolean unix =
+                !System.getProperty("os.name", "").toLowerCase(Locale.ROOT).matches("(windows|mac).*");
+        if (unix && System.getProperty(TOOLKIT) == null && isEmpty(System.getenv("DISPLAY"))) {
+            throw new NoDisplayException("DISPLAY is not set", null);
+        }
+    }
+
+    private static boolean isEmpty(String value) {
+        return value == null || value.isEmpty();
+    }
+
+    /** What kept JavaFX from starting, in a few words. */
+    static String explain(Throwable problem) {
+        Throwable cause = problem;
+        while (cause.getCause() != null) {
+            cause = cause.getCause();
+        }
+        return String.valueOf(cause.getMessage()).lines().findFirst().orElse("JavaFX did not start");
+    }
+
+    /** Called before JavaFX starts, which has texts in several languages and takes the system's. */
+    static void chooseLanguage() {
+        Locale.setDefault(Locale.ENGLISH);
+    }
+
+    /**
+     * What the window starts with.
+     *
+     * @param opened shown first
+     * @param asked whether the user named it, so that it is listed among recent scenes
+     * @param toOpen a file that could not be read before: the window opens it and tells what is wrong with it
+     */
+    public record FirstScene(OpenedScene opened, boolean asked, Optional<Path> toOpen) {
+        /** A scene that nobody named. */
+        public static FirstScene of(OpenedScene opened) {
+            return new FirstScene(opened, false, Optional.empty());
         }
     }
 }

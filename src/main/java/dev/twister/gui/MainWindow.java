@@ -1,6 +1,6 @@
 package dev.twister.gui;
 
-import dev.twister.bench.WindowRates;
+import dev.twister.bench.report.WindowRates;
 import dev.twister.gui.camera.CameraKeys;
 import dev.twister.gui.camera.CameraMouse;
 import dev.twister.gui.files.Reading;
@@ -14,6 +14,10 @@ import java.util.function.Consumer;
 import javafx.geometry.Pos;
 import javafx.scene.Scene;
 import javafx.scene.input.InputEvent;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.StackPane;
 import javafx.scene.paint.Color;
@@ -39,7 +43,7 @@ public final class MainWindow implements AutoCloseable {
     private final PictureView picture;
     private final FrameTimesView frameTimes;
     private final StatusLine status;
-    private final HeapKeeper heap = new HeapKeeper();
+    private final HeapMonitor heap = new HeapMonitor();
     private final Reading reading = new Reading();
     private final Workbench workbench;
     private final Pulses pulses;
@@ -154,5 +158,24 @@ public final class MainWindow implements AutoCloseable {
     /** See {@link Workbench#awaitFiles}. */
     void awaitFiles() {
         workbench.awaitFiles();
+    }
+
+    /** Keeps an Alt that was held for the mouse from leading to the menu when it is let go. */
+    private static final class AltKey {
+        private boolean usedByMouse;
+
+        private AltKey() {}
+
+        static void install(Scene scene) {
+            AltKey alt = new AltKey();
+            scene.addEventFilter(MouseEvent.MOUSE_PRESSED, event -> alt.usedByMouse |= event.isAltDown());
+            scene.addEventFilter(ScrollEvent.SCROLL, event -> alt.usedByMouse |= event.isAltDown());
+            scene.addEventFilter(KeyEvent.KEY_PRESSED, _ -> alt.usedByMouse = false);
+            scene.addEventFilter(KeyEvent.KEY_RELEASED, event -> {
+                if (event.getCode() == KeyCode.ALT && alt.usedByMouse) {
+                    event.consume();
+                }
+            });
+        }
     }
 }

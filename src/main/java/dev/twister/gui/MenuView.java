@@ -5,28 +5,24 @@ import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.Command.Group;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Ids;
-import dev.twister.gui.drawing.Motion;
+import dev.twister.gui.drawing.StagesAndViews;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.SceneHistory;
+import dev.twister.gui.edit.TagEdits;
 import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.SettingsKeeper;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.EditState;
-import dev.twister.gui.model.Mnemonics;
-import dev.twister.gui.model.ShownPictures;
-import dev.twister.gui.model.TagEdits;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Shape;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
-import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.Scene;
@@ -41,45 +37,6 @@ import javafx.scene.input.KeyEvent;
 
 /** The menus. */
 final class MenuView extends MenuBar {
-    /** Each has a separator above it. */
-    private static final Set<Command> BELOW_A_LINE = EnumSet.of(
-            Command.SAVE,
-            Command.SCREENSHOT,
-            Command.QUIT,
-            Command.DUPLICATE,
-            Command.INSERT_LIGHT,
-            Command.GRAB,
-            Command.HIDE,
-            Command.NEXT,
-            Command.RESET,
-            Command.INSPECT,
-            Command.FRAME,
-            Command.PANEL,
-            Command.FULL_SCREEN,
-            Command.RANDOMIZE,
-            Command.SET_KEYFRAME,
-            Command.NEXT_KEYFRAME,
-            Command.FILM,
-            Command.ABOUT);
-
-    private static final Set<Command> SWITCHES = EnumSet.of(
-            Command.INSPECT,
-            Command.EXPLAIN,
-            Command.COMPARE,
-            Command.CLIPPING,
-            Command.Q_UP,
-            Command.AXIS_HANDLES,
-            Command.PANEL,
-            Command.FLOAT_PANEL,
-            Command.SAFE_FRAME,
-            Command.LOCK_CAMERA,
-            Command.FRAME_TIMES,
-            Command.FULL_SCREEN,
-            Command.MOVE,
-            Command.PAUSE,
-            Command.PLAY,
-            Command.FILM);
-
     private final Map<Command, MenuItem> items = new EnumMap<>(Command.class);
     private final Map<MenuItem, Character> letters = new HashMap<>();
     private final Menu recent = new Menu("Open recent");
@@ -109,8 +66,6 @@ final class MenuView extends MenuBar {
         List<MenuItem> file = getMenus().getFirst().getItems();
         file.add(1 + file.indexOf(items.get(Command.OPEN)), recent);
         underline(getMenus());
-        check(Command.MOVE, studio.motion().motionProperty().map(Motion::isOn));
-        check(Command.PAUSE, studio.motion().motionProperty().map(motion -> motion.isOn() && !motion.running()));
         settings.settingsProperty().subscribe(kept -> showRecent(kept.get(WindowSettings.RECENT_SCENES), files));
         studio.document().editsProperty().subscribe(this::showEdits);
         studio.selection().bodiesProperty().subscribe(_ -> showDeletable(studio));
@@ -166,24 +121,25 @@ final class MenuView extends MenuBar {
         show(Command.RECORD, recording ? "Stop recording" : Command.RECORD.label());
     }
 
-    /** Marks a command that switches something while that is on. */
-    void check(Command command, ObservableValue<Boolean> on) {
-        CheckMenuItem item = (CheckMenuItem) items.get(command);
+    /** Marks what a command switches while that is on. */
+    private static MenuItem checked(String label, ObservableValue<Boolean> on) {
+        CheckMenuItem item = new CheckMenuItem(label);
         on.subscribe(item::setSelected);
         // A click on the item switches its mark, whatever the command has come to.
         item.selectedProperty().subscribe(_ -> item.setSelected(on.getValue()));
+        return item;
     }
 
     private static Menu shownMenu(Studio studio) {
         Menu menu = new Menu("Show");
         menu.setId("menu-show");
         ToggleGroup group = new ToggleGroup();
-        for (Picture picture : ShownPictures.all()) {
-            RadioMenuItem item = new RadioMenuItem(ShownPictures.label(picture));
+        for (StageOrView picture : StagesAndViews.all()) {
+            RadioMenuItem item = new RadioMenuItem(StagesAndViews.label(picture));
             item.setToggleGroup(group);
             item.setOnAction(_ -> studio.setShown(picture));
             studio.shownProperty().subscribe(shown -> item.setSelected(shown == picture));
-            if (picture == Picture.ALBEDO) {
+            if (picture == StageOrView.ALBEDO) {
                 menu.getItems().add(new SeparatorMenuItem());
             }
             menu.getItems().add(item);
@@ -207,16 +163,16 @@ final class MenuView extends MenuBar {
         Menu menu = new Menu(group.label());
         for (Command command : Command.values()) {
             if (command.group() == group) {
-                if (BELOW_A_LINE.contains(command)) {
+                if (command.isBelowLine()) {
                     menu.getItems().add(new SeparatorMenuItem());
                 }
-                MenuItem item =
-                        SWITCHES.contains(command) ? new CheckMenuItem(command.label()) : new MenuItem(command.label());
+                MenuItem item = actions.state(command)
+                        .map(on -> checked(command.label(), on))
+                        .orElseGet(() -> new MenuItem(command.label()));
                 item.setId("menu-" + Ids.of(command.name().replace('_', ' ')));
                 item.setAccelerator(command.keys());
                 item.setOnAction(_ -> actions.run(command));
-                // A second key for the same thing needs no second line.
-                item.setVisible(command != Command.REDO_ALSO && command != Command.FRAME_ALSO);
+                item.setVisible(!command.isSecondKey());
                 items.put(command, item);
                 menu.getItems().add(item);
             }
@@ -237,7 +193,7 @@ final class MenuView extends MenuBar {
         recent.setDisable(files.isEmpty());
     }
 
-    private void showEdits(EditState state) {
+    private void showEdits(SceneHistory.State state) {
         showEdit(Command.UNDO, state.undoable());
         showEdit(Command.REDO, state.redoable());
         showEdit(Command.REDO_ALSO, state.redoable());

@@ -1,9 +1,9 @@
 package dev.twister.gui;
 
+import dev.twister.gui.files.AutosaveFolder;
 import dev.twister.gui.files.FileChoice;
+import dev.twister.gui.files.SettingsStore;
 import dev.twister.gui.files.ShippedFolders;
-import dev.twister.gui.model.AutosaveFolder;
-import dev.twister.gui.model.SettingsStore;
 import java.nio.file.Path;
 import java.util.Optional;
 

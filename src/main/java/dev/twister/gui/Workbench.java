@@ -1,23 +1,16 @@
 package dev.twister.gui;
 
-import dev.twister.gui.bodies.AxisHandles;
 import dev.twister.gui.bodies.BodyActions;
-import dev.twister.gui.bodies.BodyMouse;
-import dev.twister.gui.bodies.BoxSelection;
-import dev.twister.gui.bodies.HandleMouse;
-import dev.twister.gui.bodies.SelectionView;
-import dev.twister.gui.bodies.TransformHandles;
-import dev.twister.gui.bodies.TransformKeys;
 import dev.twister.gui.camera.DopeSheet;
 import dev.twister.gui.camera.FilmBar;
 import dev.twister.gui.camera.KeyframeMenu;
-import dev.twister.gui.camera.OrbitMouse;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Dialogs;
-import dev.twister.gui.controls.Problems;
-import dev.twister.gui.files.AssetActions;
-import dev.twister.gui.files.AutosaveKeeper;
+import dev.twister.gui.drawing.DrawingRequest.Motion;
+import dev.twister.gui.drawing.StagesAndViews;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.BodyTransform;
 import dev.twister.gui.files.DropTarget;
 import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.FileNames;
@@ -26,43 +19,29 @@ import dev.twister.gui.files.ReadingView;
 import dev.twister.gui.files.SceneSaving;
 import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.files.TitleDialog;
-import dev.twister.gui.gallery.SceneGallery;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.BodyTransform;
-import dev.twister.gui.model.ShownPictures;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.panel.Panel;
 import dev.twister.gui.panel.PanelEdge;
 import dev.twister.gui.panel.PanelKeys;
 import dev.twister.gui.panel.PanelWindow;
-import dev.twister.gui.panel.SkyList;
-import dev.twister.gui.picture.ClippingView;
 import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.Comparison.Mode;
 import dev.twister.gui.picture.ExposureActions;
 import dev.twister.gui.picture.FrameTimesView;
-import dev.twister.gui.picture.HintLine;
-import dev.twister.gui.picture.PathPick;
-import dev.twister.gui.picture.PathTable;
-import dev.twister.gui.picture.PathView;
-import dev.twister.gui.picture.PictureActions;
 import dev.twister.gui.picture.PictureView;
-import dev.twister.gui.picture.PictureViewer;
-import dev.twister.gui.picture.PixelInspector;
-import dev.twister.gui.picture.SafeFrame;
-import dev.twister.gui.picture.SplitView;
 import dev.twister.gui.picture.ZoomMouse;
 import dev.twister.gui.rendering.RenderActions;
+import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.EngineList;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.Film;
+import dev.twister.gui.studio.MotionControl;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.value.ObservableValue;
-import javafx.geometry.Pos;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Node;
 import javafx.scene.Scene;
@@ -86,32 +65,18 @@ final class Workbench implements AutoCloseable {
     private final Studio studio;
     private final PictureView picture;
     private final FrameTimesView frameTimes;
-    private final SettingsKeeper settings;
     private final Reading reading;
-    private final Errands errands = new Errands();
-    private final FileActions files;
-    private final SceneGallery gallery;
-    private final SceneSaving saving;
-    private final AssetActions assets;
-    private final AutosaveKeeper autosaves;
-    private final PictureActions pictures;
-    private final RenderActions render;
-    private final HelpWindows help;
-    private final PictureViewer viewer;
-    private final Panel panel;
-    private final PanelWindow panelWindow;
-    private final PixelInspector inspector;
-    private final Comparison comparison;
+    private final BackgroundTasks tasks = new BackgroundTasks();
+    private final FileTools files;
+    private final PictureTools tools;
     private final BodyActions bodies;
     private final TagActions tags;
     private final KeyframeMenu keyframes;
-    private final TransformKeys transform;
-    private final BoxSelection box;
-    private final SafeFrame safeFrame;
-    private final PathPick paths;
-    private final BodyMouse bodyMouse;
+    private final RenderActions render;
+    private final HelpWindows help;
+    private final Panel panel;
+    private final PanelWindow panelWindow;
     private final MenuView menu;
-    private final FilmBar film;
 
     /**
      * Puts the menu at the root's top, the panel at its right, and the keyframes above what is at its bottom.
@@ -134,128 +99,83 @@ final class Workbench implements AutoCloseable {
         this.picture = picture;
         this.frameTimes = frameTimes;
         this.reading = reading;
-        settings = new SettingsKeeper(options.settings(), options.found(), errands, studio::notice);
-        Dialogs dialogs = new Dialogs(stage);
-        saving = new SceneSaving(
-                studio, options.files(), options.shipped(), dialogs, settings, errands, this::takeTyped);
-        assets = new AssetActions(studio, options.files(), dialogs, settings, reading);
-        files = new FileActions(
-                studio, options.files(), options.shipped(), dialogs, settings, reading, saving, assets, errands);
-        gallery = new SceneGallery(stage, settings, files);
-        autosaves = new AutosaveKeeper(studio, options.autosaves());
-        pictures = new PictureActions(studio, options.files(), dialogs, errands);
-        viewer = new PictureViewer(stage, studio, options.files(), dialogs, errands);
+        files = FileTools.of(stage, studio, options, reading, tasks, this::takeTyped);
+        tools = PictureTools.over(middle, picture, studio, settings(), tasks, stage.focusedProperty());
         help = new HelpWindows(stage);
-        comparison = new Comparison(studio, studio.assets()::drawingLoop);
-        middle.getChildren().add(1, new SplitView(picture, studio, comparison));
-        bodies = new BodyActions(studio, errands);
+        bodies = new BodyActions(studio, tasks);
         tags = new TagActions(studio);
         keyframes = new KeyframeMenu(picture, studio);
-        transform = TransformKeys.install(middle, picture, studio);
-        box = new BoxSelection(middle, picture, studio);
-        safeFrame = new SafeFrame(picture, studio);
-        picture.addOverlay(safeFrame);
-        inspector = new PixelInspector(picture, studio, errands);
-        StackPane.setAlignment(inspector, Pos.TOP_RIGHT);
-        paths = new PathPick(studio);
-        PathTable table = new PathTable(paths);
-        StackPane.setAlignment(table, Pos.BOTTOM_CENTER);
-        middle.getChildren().addAll(inspector, table);
         String usualEngine = studio.engineProperty().get().offer().id();
-        EngineList engines = EngineList.load(studio, errands);
-        render = new RenderActions(stage, studio, engines, options.files(), dialogs);
-        CommandActions actions = actions(() -> Panel.resetAll(studio, engines, usualEngine));
-        ClippingView clipping = new ClippingView(picture, studio);
-        picture.addOverlay(clipping);
-        ExposureActions exposure = new ExposureActions(studio, errands);
-        actions.on(Command.AUTO_EXPOSURE, exposure::setAutomatically)
-                .on(
-                        Command.CLIPPING,
-                        () -> clipping.shownProperty()
-                                .set(!clipping.shownProperty().get()));
-        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, tags, errands, actions);
-        panel.foldAsKept(settings);
+        EngineList engines = EngineList.load(studio, tasks);
+        render = new RenderActions(stage, studio, engines, options.files(), files.dialogs());
+        CommandActions actions = new CommandActions();
+        panel = new Panel(
+                studio,
+                engines,
+                tools.comparison(),
+                tools.clipping().shownProperty(),
+                files.assets(),
+                tags,
+                tasks,
+                actions);
+        panel.foldAsKept(settings());
         HBox side = new HBox(panel);
-        panelWindow = new PanelWindow(stage, panel, side, picture, settings);
-        side.getChildren().addFirst(new PanelEdge(panel, panelWindow.dockedProperty(), settings));
-        menu = new MenuView(studio, settings, files, actions, bodies::insert);
-        pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
-        menu.check(Command.INSPECT, inspector.visibleProperty());
-        menu.check(Command.COMPARE, comparison.modeProperty().map(mode -> mode != Mode.OFF));
-        menu.check(Command.EXPLAIN, paths.pathProperty().map(Optional::isPresent));
-        menu.check(Command.CLIPPING, clipping.shownProperty());
-        menu.check(Command.Q_UP, qUpProperty());
-        menu.check(Command.PANEL, panel.visibleProperty());
-        menu.check(Command.FLOAT_PANEL, panelWindow.floatingProperty());
-        menu.check(Command.FRAME_TIMES, frameTimes.visibleProperty());
-        menu.check(Command.FULL_SCREEN, stage.fullScreenProperty());
+        panelWindow = new PanelWindow(stage, panel, side, picture, settings());
+        side.getChildren().addFirst(new PanelEdge(panel, panelWindow.dockedProperty(), settings()));
+        bindFile(actions);
+        bindEdit(actions);
+        bindView(actions);
+        bindMotion(actions);
+        actions.on(Command.RESET, () -> Panel.resetAll(studio, engines, usualEngine));
+        menu = new MenuView(studio, settings(), files.files(), actions, bodies::insert);
         menu.explainKeys(root.getScene(), studio);
-        film = new FilmBar(studio, actions, this::focusPicture);
-        menu.check(Command.SAFE_FRAME, safeFrame.shownProperty());
-        menu.check(Command.LOCK_CAMERA, studio.document().cameraLockedProperty());
-        menu.check(Command.PLAY, studio.film().playingProperty());
-        menu.check(Command.FILM, film.visibleProperty());
+        files.pictures().recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
+        FilmBar film = new FilmBar(studio, actions, this::focusPicture);
         root.setTop(menu);
         root.setBottom(new VBox(film, new DopeSheet(studio, film), root.getBottom()));
         root.setRight(side);
-        AxisHandles handles = new AxisHandles(picture, studio, paths);
-        TransformHandles transforms = new TransformHandles(picture, studio, handles);
-        HandleMouse.install(middle, picture, studio, transforms, stage.focusedProperty());
-        SelectionView outline = new SelectionView(picture, studio, List.of(transforms, handles));
-        picture.addOverlay(outline);
-        ZoomMouse.install(picture);
-        OrbitMouse.install(picture, studio);
-        picture.addOverlay(new PathView(picture, studio, paths));
-        bodyMouse = BodyMouse.install(picture, studio, paths, handles, stage.focusedProperty());
-        bodyMouse.axisProperty().subscribe(outline::showAxis);
-        bodyMouse.axisProperty().subscribe(handles::point);
-        handles.onProperty().bind(settings.settingsProperty().map(kept -> kept.get(WindowSettings.AXIS_HANDLES)));
-        menu.check(Command.AXIS_HANDLES, handles.onProperty());
         PanelKeys.leadBack(panel, this::focusPicture);
         for (Scene scene : List.of(root.getScene(), panelWindow.scene())) {
             PanelKeys.install(scene, panel, () -> showPanel(true));
-            DropTarget.install(scene, files);
+            DropTarget.install(scene, files.files());
         }
-        errands.run(
-                () -> SkyList.in(options.shipped().skyboxes()),
-                panel::offerSkies,
-                problem -> studio.notice(Problems.explain(problem)));
-        if (!settings.settings().get(WindowSettings.HINT_SEEN)) {
-            HintLine hint =
-                    new HintLine(picture, () -> settings.change(kept -> kept.with(WindowSettings.HINT_SEEN, true)));
-            StackPane.setAlignment(hint, Pos.BOTTOM_CENTER);
-            middle.getChildren().add(hint);
-        }
+        tasks.run(options.shipped()::skies, panel::offerSkies, problem -> studio.notice(Dialogs.explain(problem)));
         restore();
-        stage.setMinHeight(LEAST_HEIGHT);
-        panelWindow.dockedProperty().subscribe(_ -> limitWidth());
-        // Style sheets say it, in the text's size.
-        panel.minWidthProperty().subscribe(_ -> limitWidth());
-        options.asked().ifPresent(settings::remember);
-        studio.engineProperty()
-                .subscribe((_, choice) -> settings.change(
-                        kept -> kept.with(WindowSettings.ENGINE, choice.offer().id())));
-        studio.document().editsProperty().subscribe(_ -> showTitle());
-        studio.document().fileProperty().subscribe(_ -> showTitle());
+        keepUpToDate();
+        options.asked().ifPresent(settings()::remember);
         stage.setOnCloseRequest(this::closeOnceSaved);
-        autosaves.offer(dialogs, files);
+        files.autosaves().offer(files.dialogs(), files.files());
         stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
         stage.setFullScreenExitHint("");
     }
 
+    /** Keeps the window's limits, title and settings as the scene and the panel are. */
+    private void keepUpToDate() {
+        stage.setMinHeight(LEAST_HEIGHT);
+        panelWindow.dockedProperty().subscribe(_ -> limitWidth());
+        // Style sheets say it, in the text's size.
+        panel.minWidthProperty().subscribe(_ -> limitWidth());
+        studio.engineProperty()
+                .subscribe((_, choice) -> settings()
+                        .change(kept ->
+                                kept.with(WindowSettings.ENGINE, choice.offer().id())));
+        studio.document().editsProperty().subscribe(_ -> showTitle());
+        studio.document().fileProperty().subscribe(_ -> showTitle());
+    }
+
     /** Called in every pulse. */
     void pulse(long nanos) {
-        pictures.pulse();
+        files.pictures().pulse();
         render.pulse();
-        autosaves.pulse(nanos);
+        files.autosaves().pulse(nanos);
         panel.pulse(nanos);
-        inspector.pulse();
-        comparison.pulse(nanos);
+        tools.inspector().pulse();
+        comparison().pulse(nanos);
     }
 
     /** Whether something goes on that is shown in every pulse. */
     boolean isBusy() {
-        return comparison.isOn() || pictures.recorderProperty().get().isPresent();
+        return comparison().isOn() || files.pictures().recorderProperty().get().isPresent();
     }
 
     /** Gives the picture the focus, whichever window has it. */
@@ -266,7 +186,7 @@ final class Workbench implements AutoCloseable {
 
     private void startTransform(BodyTransform.Mode mode) {
         stage.requestFocus();
-        transform.start(mode);
+        tools.transform().start(mode);
     }
 
     /** Keeps the settings, and begins nothing more; {@link #awaitFiles} waits for what is still being written. */
@@ -275,18 +195,19 @@ final class Workbench implements AutoCloseable {
         boolean filling = stage.isMaximized() || stage.isFullScreen();
         int width = (int) stage.getWidth();
         int height = (int) stage.getHeight();
-        settings.change(
-                kept -> (filling ? kept : kept.withSize(width, height)).with(WindowSettings.MAXIMIZED, filling));
+        settings()
+                .change(kept ->
+                        (filling ? kept : kept.withSize(width, height)).with(WindowSettings.MAXIMIZED, filling));
         panelWindow.close();
-        settings.write();
+        settings().write();
         help.close();
-        gallery.close();
-        comparison.close();
-        pictures.finish();
+        files.gallery().close();
+        comparison().close();
+        files.pictures().finish();
         render.finish();
-        autosaves.finish();
+        files.autosaves().finish();
         reading.cancel();
-        errands.finish();
+        tasks.finish();
         menu.dismantle();
     }
 
@@ -295,10 +216,10 @@ final class Workbench implements AutoCloseable {
      * thread.
      */
     void awaitFiles() {
-        pictures.close();
+        files.pictures().close();
         render.close();
-        errands.close();
-        autosaves.close();
+        tasks.close();
+        files.autosaves().close();
     }
 
     /** The progress of renderings, for the status line. */
@@ -316,53 +237,54 @@ final class Workbench implements AutoCloseable {
 
     /** See {@link WindowSettings#Q_UP}. */
     ObservableValue<Boolean> qUpProperty() {
-        return settings.settingsProperty().map(kept -> kept.get(WindowSettings.Q_UP));
+        return settings().settingsProperty().map(kept -> kept.get(WindowSettings.Q_UP));
     }
 
     Comparison comparison() {
-        return comparison;
+        return tools.comparison();
     }
 
     FileActions files() {
-        return files;
+        return files.files();
     }
 
     SceneSaving saving() {
-        return saving;
+        return files.saving();
     }
 
     SettingsKeeper settings() {
-        return settings;
-    }
-
-    private static void toggle(BooleanProperty on) {
-        on.set(!on.get());
+        return files.settings();
     }
 
     private void toggleLock() {
         BooleanProperty locked = studio.document().cameraLockedProperty();
-        toggle(locked);
+        locked.set(!locked.get());
         studio.notice(locked.get() ? "The camera is locked" : "The camera is free");
     }
 
-    private CommandActions actions(Runnable resetAll) {
-        return new CommandActions()
-                .on(Command.NEW, files::newScene)
-                .on(Command.GALLERY, gallery::show)
-                .on(Command.OPEN, files::open)
-                .on(Command.SAVE, saving::save)
-                .on(Command.SAVE_AS, saving::saveAs)
+    private void bindFile(CommandActions actions) {
+        actions.on(Command.NEW, files.files()::newScene)
+                .on(Command.GALLERY, files.gallery()::show)
+                .on(Command.OPEN, files.files()::open)
+                .on(Command.SAVE, saving()::save)
+                .on(Command.SAVE_AS, saving()::saveAs)
                 .on(Command.TITLE, () -> TitleDialog.show(stage, studio))
-                .on(Command.VIEW_PICTURE, viewer::open)
-                .on(Command.SCREENSHOT, pictures::screenshot)
+                .on(Command.VIEW_PICTURE, files.viewer()::open)
+                .on(Command.SCREENSHOT, files.pictures()::screenshot)
                 .on(Command.RENDER, render::show)
-                .on(Command.RECORD, pictures::toggleRecording)
+                .on(Command.RECORD, files.pictures()::toggleRecording)
                 .on(Command.QUIT, this::closeOnceSaved)
-                .on(Command.UNDO, studio::undo)
+                .on(Command.CONTROLS, () -> help.showControls(panel.rows()))
+                .on(Command.ABOUT, help::showAbout);
+    }
+
+    private void bindEdit(CommandActions actions) {
+        ExposureActions exposure = new ExposureActions(studio, tasks);
+        actions.on(Command.UNDO, studio::undo)
                 .on(Command.REDO, studio::redo)
                 .on(Command.REDO_ALSO, studio::redo)
                 .on(Command.INSERT, bodies::insert)
-                .on(Command.INSERT_MESH, assets::insertMesh)
+                .on(Command.INSERT_MESH, files.assets()::insertMesh)
                 .on(Command.INSERT_LIGHT, bodies::insertLight)
                 .on(Command.DUPLICATE, bodies::duplicate)
                 .on(Command.COPY, bodies::copy)
@@ -378,66 +300,87 @@ final class Workbench implements AutoCloseable {
                 .on(Command.GROUP, tags::group)
                 .on(Command.UNGROUP, tags::ungroup)
                 .on(Command.SELECT_GROUP, tags::selectGroup)
+                .on(Command.SELECT_ALL, studio.selection()::selectAll)
                 .on(Command.INVERT, studio.selection()::invert)
                 .on(Command.SAME_MATERIAL, studio.selection()::selectSameMaterial)
-                .on(Command.BOX, box::arm)
-                .on(Command.SAFE_FRAME, () -> toggle(safeFrame.shownProperty()))
-                .on(Command.LOCK_CAMERA, this::toggleLock)
-                .on(Command.SELECT_ALL, studio.selection()::selectAll)
+                .on(Command.BOX, tools.box()::arm)
                 .on(Command.NEXT, () -> bodies.selectAlong(1))
                 .on(Command.PREVIOUS, () -> bodies.selectAlong(-1))
                 .on(Command.DESELECT, this::backToThePicture)
-                .on(Command.RESET, resetAll)
-                .on(Command.NEXT_SHOWN, () -> showAlong(1))
+                .on(Command.AUTO_EXPOSURE, exposure::setAutomatically);
+    }
+
+    private void bindView(CommandActions actions) {
+        actions.on(Command.NEXT_SHOWN, () -> showAlong(1))
                 .on(Command.PREVIOUS_SHOWN, () -> showAlong(-1))
-                .on(Command.INSPECT, () -> inspector.setVisible(!inspector.isVisible()))
-                .on(Command.EXPLAIN, () -> bodyMouse.togglePath())
-                .on(Command.COMPARE, this::toggleComparison)
+                .on(Command.INSPECT, tools.inspector().visibleProperty())
+                .on(
+                        Command.EXPLAIN,
+                        tools.bodyMouse()::togglePath,
+                        tools.paths().pathProperty().map(Optional::isPresent))
+                .on(
+                        Command.COMPARE,
+                        this::toggleComparison,
+                        comparison().modeProperty().map(mode -> mode != Mode.OFF))
+                .on(Command.CLIPPING, tools.clipping().shownProperty())
                 .on(Command.ZOOM_IN, () -> picture.zoom(ZoomMouse.STEP))
                 .on(Command.ZOOM_OUT, () -> picture.zoom(1 / ZoomMouse.STEP))
                 .on(Command.ZOOM_TO_FIT, picture::zoomToFit)
-                .on(Command.PANEL, () -> showPanel(!panel.isVisible()))
-                .on(Command.FLOAT_PANEL, this::toggleFloating)
-                .on(Command.FRAME_TIMES, () -> showFrameTimes(!frameTimes.isVisible()))
-                .on(Command.MOVE, () -> studio.motion().setOn(!studio.motion().isOn()))
                 .on(Command.FRAME, bodies::frameSelected)
                 .on(Command.FRAME_ALSO, bodies::frameSelected)
-                .on(
-                        Command.Q_UP,
-                        () -> settings.change(kept -> kept.with(WindowSettings.Q_UP, !kept.get(WindowSettings.Q_UP))))
+                .on(Command.Q_UP, () -> toggle(WindowSettings.Q_UP), qUpProperty())
                 .on(
                         Command.AXIS_HANDLES,
-                        () -> settings.change(
-                                kept -> kept.with(WindowSettings.AXIS_HANDLES, !kept.get(WindowSettings.AXIS_HANDLES))))
-                .on(Command.PAUSE, studio.motion()::togglePause)
-                .on(Command.STEP, studio.motion()::stepOnce)
+                        () -> toggle(WindowSettings.AXIS_HANDLES),
+                        tools.handles().onProperty())
+                .on(Command.PANEL, () -> showPanel(!panel.isVisible()), panel.visibleProperty())
+                .on(Command.FLOAT_PANEL, this::toggleFloating, panelWindow.floatingProperty())
+                .on(Command.SAFE_FRAME, tools.safeFrame().shownProperty())
+                .on(Command.LOCK_CAMERA, this::toggleLock, studio.document().cameraLockedProperty())
+                .on(Command.FRAME_TIMES, () -> showFrameTimes(!frameTimes.isVisible()), frameTimes.visibleProperty())
+                .on(Command.FULL_SCREEN, () -> stage.setFullScreen(!stage.isFullScreen()), stage.fullScreenProperty());
+    }
+
+    private void bindMotion(CommandActions actions) {
+        MotionControl motion = studio.motion();
+        Film film = studio.film();
+        actions.on(
+                        Command.MOVE,
+                        () -> motion.setOn(!motion.isOn()),
+                        motion.motionProperty().map(Motion::isOn))
+                .on(
+                        Command.PAUSE,
+                        motion::togglePause,
+                        motion.motionProperty().map(now -> now.isOn() && !now.running()))
+                .on(Command.STEP, motion::stepOnce)
                 .on(Command.RANDOMIZE, bodies::randomize)
-                .on(Command.FULL_SCREEN, () -> stage.setFullScreen(!stage.isFullScreen()))
-                .on(Command.PLAY, studio.film()::togglePlaying)
-                .on(Command.SET_KEYFRAME, studio.film()::setKeyframe)
-                .on(Command.DELETE_KEYFRAME, studio.film()::deleteKeyframe)
+                .on(Command.PLAY, film::togglePlaying, film.playingProperty())
+                .on(Command.SET_KEYFRAME, film::setKeyframe)
+                .on(Command.DELETE_KEYFRAME, film::deleteKeyframe)
                 .on(Command.SET_KEYFRAME_OF, keyframes::show)
                 .on(Command.DELETE_KEYFRAME_OF, keyframes::delete)
-                .on(Command.NEXT_KEYFRAME, () -> studio.film().goAlong(true))
-                .on(Command.PREVIOUS_KEYFRAME, () -> studio.film().goAlong(false))
-                .on(Command.FILM, () -> studio.film().shownProperty().set(!film.isVisible()))
-                .on(Command.CONTROLS, () -> help.showControls(panel.rows()))
-                .on(Command.ABOUT, help::showAbout);
+                .on(Command.NEXT_KEYFRAME, () -> film.goAlong(true))
+                .on(Command.PREVIOUS_KEYFRAME, () -> film.goAlong(false))
+                .on(Command.FILM, film.shownProperty());
+    }
+
+    private void toggle(WindowSettings.Key<Boolean> key) {
+        settings().change(kept -> kept.with(key, !kept.get(key)));
     }
 
     private void restore() {
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        stage.setWidth(Math.min(settings.settings().get(WindowSettings.WIDTH), screen.getWidth()));
-        stage.setHeight(Math.min(settings.settings().get(WindowSettings.HEIGHT), screen.getHeight()));
+        stage.setWidth(Math.min(settings().settings().get(WindowSettings.WIDTH), screen.getWidth()));
+        stage.setHeight(Math.min(settings().settings().get(WindowSettings.HEIGHT), screen.getHeight()));
         if (Double.isNaN(stage.getY())) {
             // Where a window is as high as the screen, JavaFX would have its upper border above it.
             stage.setX(screen.getMinX() + (screen.getWidth() - stage.getWidth()) / 2);
             stage.setY(screen.getMinY() + (screen.getHeight() - stage.getHeight()) / 2);
         }
-        stage.setMaximized(settings.settings().get(WindowSettings.MAXIMIZED));
-        panelWindow.setFloating(settings.settings().get(WindowSettings.PANEL_FLOATS));
-        showPanel(settings.settings().get(WindowSettings.PANEL_SHOWN));
-        showFrameTimes(settings.settings().get(WindowSettings.FRAME_TIMES_SHOWN));
+        stage.setMaximized(settings().settings().get(WindowSettings.MAXIMIZED));
+        panelWindow.setFloating(settings().settings().get(WindowSettings.PANEL_FLOATS));
+        showPanel(settings().settings().get(WindowSettings.PANEL_SHOWN));
+        showFrameTimes(settings().settings().get(WindowSettings.FRAME_TIMES_SHOWN));
     }
 
     /** The panel hides no picture. */
@@ -452,7 +395,7 @@ final class Workbench implements AutoCloseable {
         if (!shown) {
             focusPicture();
         }
-        settings.change(kept -> kept.with(WindowSettings.PANEL_SHOWN, shown));
+        settings().change(kept -> kept.with(WindowSettings.PANEL_SHOWN, shown));
     }
 
     private void toggleFloating() {
@@ -466,24 +409,24 @@ final class Workbench implements AutoCloseable {
 
     private void showFrameTimes(boolean shown) {
         frameTimes.setVisible(shown);
-        settings.change(kept -> kept.with(WindowSettings.FRAME_TIMES_SHOWN, shown));
+        settings().change(kept -> kept.with(WindowSettings.FRAME_TIMES_SHOWN, shown));
     }
 
     private void toggleComparison() {
-        comparison.modeProperty().set(comparison.isOn() ? Mode.OFF : Mode.SPLIT);
+        comparison().modeProperty().set(comparison().isOn() ? Mode.OFF : Mode.SPLIT);
     }
 
     private void showAlong(int steps) {
-        Picture next = ShownPictures.along(studio.shownProperty().get(), steps);
+        StageOrView next = StagesAndViews.along(studio.shownProperty().get(), steps);
         studio.setShown(next);
-        studio.notice(ShownPictures.label(next));
+        studio.notice(StagesAndViews.label(next));
     }
 
     private void backToThePicture() {
         if (ReadingView.isReading(studio, reading)) {
             ReadingView.cancel(studio, reading);
-        } else if (picture.isFocused() && paths.isShown()) {
-            paths.clear();
+        } else if (picture.isFocused() && tools.paths().isShown()) {
+            tools.paths().clear();
         } else if (picture.isFocused()) {
             studio.selection().select(BodyNumber.NONE);
         } else {
@@ -497,7 +440,7 @@ final class Workbench implements AutoCloseable {
     }
 
     private void closeOnceSaved() {
-        render.beforeClosing(() -> saving.afterSaving(stage::hide));
+        render.beforeClosing(() -> saving().afterSaving(stage::hide));
     }
 
     private boolean takeTyped() {

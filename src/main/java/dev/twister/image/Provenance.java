@@ -26,11 +26,11 @@ public record Provenance(String software, String picture, String samples, Option
         return new Provenance(software, picture, samples, newDisplay);
     }
 
-    String text() {
+    public String text() {
         return picture + " " + samples;
     }
 
-    static Optional<Provenance> of(String software, String text) {
+    public static Optional<Provenance> of(String software, String text) {
         int end = text.indexOf(' ');
         return end < 0
                 ? Optional.empty()

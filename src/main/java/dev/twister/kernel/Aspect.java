@@ -86,7 +86,7 @@ public final class Aspect {
     }
 
     /** Adds to the count, if the aspect is {@code counted}. */
-    static void count(float[] path, int counted, int number, int variant) {
+    public static void count(float[] path, int counted, int number, int variant) {
         if (Variant.aspect(variant) == counted) {
             path[Layout.COUNT] = path[Layout.COUNT] + number;
         }

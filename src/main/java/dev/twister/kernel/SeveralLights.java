@@ -64,7 +64,7 @@ public final class SeveralLights {
     }
 
     /** The mean of S over the lights, in [0, 1]. */
-    static float visible(
+    public static float visible(
             float[] path,
             int body,
             float[] scratch,

@@ -200,7 +200,7 @@ public final class Shadow {
     }
 
     /** Transmission of a body, in [0, 1]. */
-    static float transmission(int body, float[] looks, int variant) {
+    public static float transmission(int body, float[] looks, int variant) {
         float transmission = 0f;
         if ((variant & Variant.MATERIALS) != 0) {
             transmission = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION];
@@ -420,7 +420,7 @@ public final class Shadow {
      * 1 if a sphere blocks the shadow ray through (1, x, y) * distance: it meets the line, and its near side lies
      * between the point and the sample. From a point inside, only a transmitting sphere blocks, by its far side.
      */
-    static int blocks(
+    public static int blocks(
             float a, float u, float w, float radiusSquared, float x, float y, float distance, float transmission) {
         float p = u - a * x;
         float q = w - a * y;

@@ -43,7 +43,7 @@ public final class ShadowRay {
      * The light in [0, 1] that the spheres transmit along the ray through (1, x, y) * distance, in the frame of A, U
      * (with x = 0) and W; 0 if an opaque one blocks it.
      */
-    static float light(
+    public static float light(
             float[] path,
             int own,
             float x,

@@ -19,7 +19,7 @@ public final class Texture {
      * @param map its place in {@code looks}
      * @param body any except the light
      */
-    static void aim(float[] path, int map, int body, float[] frame, float[] looks, int variant) {
+    public static void aim(float[] path, int map, int body, float[] frame, float[] looks, int variant) {
         int width = (int) looks[map + Layout.MAP_WIDTH];
         int height = (int) looks[map + Layout.MAP_HEIGHT];
         int plane = body == Layout.PLANE ? 1 : 0;

@@ -8,7 +8,7 @@ public record Affine(Vector3 axisX, Vector3 axisY, Vector3 axisZ, Vector3 origin
             new Affine(new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1), Vector3.ZERO);
 
     /** The transform that adds a vector. */
-    static Affine moving(Vector3 by) {
+    public static Affine moving(Vector3 by) {
         return new Affine(IDENTITY.axisX, IDENTITY.axisY, IDENTITY.axisZ, by);
     }
 

@@ -3,6 +3,17 @@ package dev.twister.mesh;
 import dev.twister.files.GitLfs;
 import dev.twister.files.InputFile;
 import dev.twister.files.SystemReason;
+import dev.twister.mesh.gltf.GltfDocument;
+import dev.twister.mesh.gltf.GltfReader;
+import dev.twister.mesh.input.Bytes;
+import dev.twister.mesh.input.MeshLimits;
+import dev.twister.mesh.input.QuotedText;
+import dev.twister.mesh.input.Warnings;
+import dev.twister.mesh.obj.ObjReader;
+import dev.twister.mesh.ply.PlyReader;
+import dev.twister.mesh.shape.ShapeMaker;
+import dev.twister.mesh.shape.TrianglesOfCode;
+import dev.twister.mesh.stl.StlReader;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Triangles;
@@ -52,7 +63,7 @@ public final class MeshReader {
 
     private static MeshFile read(Geometry.OfFile source, double smoothDegrees, Consumer<String> warnings) {
         Path file = source.path();
-        String name = Shown.path(file);
+        String name = QuotedText.path(file);
         try {
             InputFile.check(file);
             try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
@@ -74,7 +85,7 @@ public final class MeshReader {
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
             return format(file, Bytes.of(file, channel)) == Format.STL;
         } catch (IOException problem) {
-            throw new MeshException(Shown.path(file) + ": " + SystemReason.of(problem), problem);
+            throw new MeshException(QuotedText.path(file) + ": " + SystemReason.of(problem), problem);
         }
     }
 
@@ -92,7 +103,7 @@ public final class MeshReader {
         }
         Format format = format(file, bytes);
         if (!source.scene().isEmpty() && format != Format.GLTF) {
-            throw bytes.failure("has no scenes, but the scene " + Shown.text(source.scene())
+            throw bytes.failure("has no scenes, but the scene " + QuotedText.text(source.scene())
                     + " is asked for; only glTF files have several");
         }
         MeshFile content = switch (format) {

@@ -1,17 +1,18 @@
 package dev.twister.mesh;
 
+import dev.twister.mesh.input.QuotedText;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
-import dev.twister.scene.Title;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.select.Title;
 import java.nio.file.Path;
 import java.util.List;
 
@@ -66,7 +67,7 @@ public final class MeshStage {
         double largest = 2 * Math.max(half.x(), Math.max(half.y(), half.z()));
         double scale = LARGEST_SIDE / largest;
         if (!(scale >= SceneLimits.SCALE.min() && scale <= SceneLimits.SCALE.max())) {
-            throw new MeshException(Shown.path(file) + ": the mesh is " + (float) largest + " m wide; expected "
+            throw new MeshException(QuotedText.path(file) + ": the mesh is " + (float) largest + " m wide; expected "
                     + LARGEST_SIDE / SceneLimits.SCALE.max() + " to " + LARGEST_SIDE / SceneLimits.SCALE.min()
                     + " m; scale it in a scene file or in the program that made it");
         }

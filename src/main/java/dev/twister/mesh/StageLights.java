@@ -1,10 +1,10 @@
 package dev.twister.mesh;
 
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Rgb;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.property.SceneLimits;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -2,11 +2,11 @@ package dev.twister.physics;
 
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Physics;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
 import java.util.Arrays;
 import java.util.List;
 

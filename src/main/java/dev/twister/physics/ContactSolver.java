@@ -56,7 +56,7 @@ final class ContactSolver {
      */
     void solve(Contacts contacts, int from, int to) {
         contacts.fetched = fetch(contacts.second, from, to);
-        Meeting meeting = contacts.meeting;
+        SolvedContact meeting = contacts.meeting;
         meeting.start(contacts.impulses, rules);
         for (int offset = from; offset < from + CONTACTS_APART; offset++) {
             for (int contact = offset; contact < to; contact += CONTACTS_APART) {

@@ -37,7 +37,7 @@ final class Contacts {
     int unbalancedCount;
 
     /** The contact that is being solved. */
-    final Meeting meeting = new Meeting(NO_IMPULSES, ContactRules.NONE);
+    final SolvedContact meeting = new SolvedContact(NO_IMPULSES, ContactRules.NONE);
 
     /** Sink for the solver's prefetch reads; keeps C2 from eliminating them. */
     long fetched;

@@ -9,13 +9,13 @@ final class FirmContact {
     static final double MOST_PUSH = 0.02;
 
     private final double[] numbers;
-    private final Backing backing;
+    private final Firmness backing;
     private final RestingContact resting;
     private final Impact impact;
 
     FirmContact(BodyStore bodies, Surroundings surroundings) {
         numbers = bodies.numbers;
-        backing = new Backing(bodies, surroundings);
+        backing = new Firmness(bodies, surroundings);
         resting = new RestingContact(bodies);
         impact = new Impact(bodies);
     }
@@ -29,7 +29,7 @@ final class FirmContact {
      * @param outside squared distance of the centers minus the squared sum of the radii
      * @return false if the light body can move, so that the contact is an ordinary one
      */
-    boolean solve(Meeting meeting, double distance, double radii, double outside) {
+    boolean solve(SolvedContact meeting, double distance, double radii, double outside) {
         boolean firstIsHeavy = numbers[meeting.first + BodyStore.RADIUS] > numbers[meeting.second + BodyStore.RADIUS];
         int heavy = firstIsHeavy ? meeting.first : meeting.second;
         int light = firstIsHeavy ? meeting.second : meeting.first;
@@ -56,7 +56,7 @@ final class FirmContact {
     }
 
     /** Solves the contact; the first body is the heavy one. */
-    private void solveBacked(Meeting meeting, double distance, double radii, double outside) {
+    private void solveBacked(SolvedContact meeting, double distance, double radii, double outside) {
         int heavy = meeting.first;
         int light = meeting.second;
         double nx = meeting.normalX;
@@ -86,7 +86,7 @@ final class FirmContact {
         }
     }
 
-    private void hold(Meeting meeting, double gap, double radii, boolean asleep) {
+    private void hold(SolvedContact meeting, double gap, double radii, boolean asleep) {
         int light = meeting.second;
         double diameter = 2 * numbers[light + BodyStore.RADIUS];
         double lift = push(meeting, -gap - ContactRules.SLOP * (radii - diameter), diameter);
@@ -107,20 +107,20 @@ final class FirmContact {
     }
 
     /** A body's displacement along the normal. */
-    private double along(int body, Meeting meeting) {
+    private double along(int body, SolvedContact meeting) {
         return numbers[body + BodyStore.MOVE] * meeting.normalX
                 + numbers[body + BodyStore.MOVE + 1] * meeting.normalY
                 + numbers[body + BodyStore.MOVE + 2] * meeting.normalZ;
     }
 
-    private static double push(Meeting meeting, double overlap, double diameter) {
+    private static double push(SolvedContact meeting, double overlap, double diameter) {
         return Math.max(
                 0,
                 Math.min(meeting.rules.pushShare() * (overlap - ContactRules.SLOP * diameter), MOST_PUSH * diameter));
     }
 
     /** Changes the light body's displacement along the normal. */
-    private void changeMove(Meeting meeting, double length) {
+    private void changeMove(SolvedContact meeting, double length) {
         BodyStore.add(
                 numbers, meeting.second + BodyStore.MOVE, length, meeting.normalX, meeting.normalY, meeting.normalZ);
     }

@@ -30,7 +30,7 @@ final class Impact {
      * @param firm whether the second body is as firm as the ground
      * @return false if the paths do not meet within the sub-step
      */
-    boolean resolve(Meeting meeting, boolean firm) {
+    boolean resolve(SolvedContact meeting, boolean firm) {
         double path = meeting.path();
         double root = meeting.closing * meeting.closing - path * meeting.outside;
         if (root < 0) {

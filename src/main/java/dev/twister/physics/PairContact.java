@@ -27,7 +27,7 @@ final class PairContact {
      *
      * @param at start of the contact's impulses
      */
-    void solve(Meeting meeting, int at, int one, int two) {
+    void solve(SolvedContact meeting, int at, int one, int two) {
         int a = BodyStore.STRIDE * one;
         int b = BodyStore.STRIDE * two;
         double[] n = numbers;

@@ -19,7 +19,8 @@ final class RestingContact {
      * @param gap distance between the surfaces, in meters; negative if they overlap
      * @param push how far to push the bodies apart
      */
-    void hold(Meeting meeting, double firstWeight, double secondWeight, double ofLighter, double gap, double push) {
+    void hold(
+            SolvedContact meeting, double firstWeight, double secondWeight, double ofLighter, double gap, double push) {
         double nx = meeting.normalX;
         double ny = meeting.normalY;
         double nz = meeting.normalZ;

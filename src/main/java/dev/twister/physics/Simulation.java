@@ -53,10 +53,10 @@ public final class Simulation implements AutoCloseable {
     private final int firstBody;
     private final ContactSearch search;
     private final ContactSolver solver;
-    private final Bracing bracing;
+    private final LoadBalancing bracing;
     private final VerletIntegrator integrator;
-    private final Spout spout;
-    private final Survey survey;
+    private final PourRelease spout;
+    private final BodyPasses survey;
     private final double limit;
     private Scene scene;
     private double substep;
@@ -74,10 +74,10 @@ public final class Simulation implements AutoCloseable {
         firstBody = scene.physics().solidLight() ? BodyStore.FIRST_LIGHT : bodies.firstSphere;
         search = new ContactSearch(bodies, surroundings, team, firstBody, typicalRadius(spheres) * (1 + 2 * MARGIN));
         solver = ContactSolver.moving(bodies, surroundings);
-        bracing = new Bracing(bodies, surroundings);
+        bracing = new LoadBalancing(bodies, surroundings);
         integrator = new VerletIntegrator(bodies, surroundings);
-        survey = new Survey(bodies, team, firstBody);
-        spout = Spout.of(scene.pour(), spheres.subList(placed, spheres.size()));
+        survey = new BodyPasses(bodies, team, firstBody);
+        spout = PourRelease.of(scene.pour(), spheres.subList(placed, spheres.size()));
         limit = Math.max(largestCoordinate(scene, spheres), mesh.largestCoordinate()) + DEPTH;
         setSubstep(STEP_SECONDS / SUBSTEPS);
         Vector3 gravity = surroundings.gravity();
@@ -116,7 +116,7 @@ public final class Simulation implements AutoCloseable {
         return new Simulation(scene, MeshCollider.of(scene, meshes), threads);
     }
 
-    static Simulation of(Scene scene, MeshCollider mesh, int threads) {
+    public static Simulation of(Scene scene, MeshCollider mesh, int threads) {
         return new Simulation(scene, mesh, threads);
     }
 
@@ -396,7 +396,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     private void inChunks(Team.Range work) {
-        team.inChunks(firstBody, bodies.count, Survey.BODIES_AT_ONCE, work);
+        team.inChunks(firstBody, bodies.count, BodyPasses.BODIES_AT_ONCE, work);
     }
 
     private void put(int body, double[] origin, float[] positions, int place, float share) {

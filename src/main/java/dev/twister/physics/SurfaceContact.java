@@ -25,7 +25,7 @@ final class SurfaceContact {
      * @param at start of the contact's impulses
      * @param surface its number in the {@link Surroundings}
      */
-    void solve(Meeting meeting, int at, int body, int surface) {
+    void solve(SolvedContact meeting, int at, int body, int surface) {
         int a = BodyStore.STRIDE * body;
         if (numbers[a + BodyStore.INVERSE_MASS] != 0) {
             // The second body is not used.
@@ -42,7 +42,7 @@ final class SurfaceContact {
         }
     }
 
-    private void meetTriangle(Meeting meeting, int sideOfTriangle) {
+    private void meetTriangle(SolvedContact meeting, int sideOfTriangle) {
         double[] n = numbers;
         int a = meeting.first;
         int triangle = sideOfTriangle >> 1;
@@ -63,7 +63,7 @@ final class SurfaceContact {
         }
     }
 
-    private void meetGround(Meeting meeting, int side) {
+    private void meetGround(SolvedContact meeting, int side) {
         double[] n = numbers;
         int a = meeting.first;
         double up = n[a + 1] - surroundings.height();
@@ -79,7 +79,7 @@ final class SurfaceContact {
         }
     }
 
-    private void meetWall(Meeting meeting, int wall) {
+    private void meetWall(SolvedContact meeting, int wall) {
         double[] n = numbers;
         int a = meeting.first;
         double inwards = wall % 2 == 0 ? -1 : 1;
@@ -92,7 +92,7 @@ final class SurfaceContact {
      *
      * @param distance signed distance of the body's center from the surface, in meters; negative behind it
      */
-    private void meet(Meeting meeting, double distance) {
+    private void meet(SolvedContact meeting, double distance) {
         double[] n = numbers;
         int a = meeting.first;
         double radius = n[a + BodyStore.RADIUS];
@@ -127,7 +127,7 @@ final class SurfaceContact {
      * @param pull gravity's change of it per sub-step
      * @param atStart the displacement at the start of the sub-step
      */
-    private void bounce(Meeting meeting, double along, double gap, double pull, double atStart) {
+    private void bounce(SolvedContact meeting, double along, double gap, double pull, double atStart) {
         double nx = meeting.normalX;
         double ny = meeting.normalY;
         double nz = meeting.normalZ;

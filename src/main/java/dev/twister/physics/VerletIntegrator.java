@@ -92,8 +92,8 @@ final class VerletIntegrator {
                 double support = n[by] * n[by] + n[by + 1] * n[by + 1] + n[by + 2] * n[by + 2];
                 double length = Math.sqrt(support);
                 n[at - BodyStore.MOVE + BodyStore.CARRIED] = length;
-                boolean held = Backing.holdsUp(n[by] * upX + n[by + 1] * upY + n[by + 2] * upZ, length, weight);
-                bodies.held[body] = (byte) (held ? Backing.MOMENT : Math.max(0, bodies.held[body] - 1));
+                boolean held = Firmness.holdsUp(n[by] * upX + n[by + 1] * upY + n[by + 2] * upZ, length, weight);
+                bodies.held[body] = (byte) (held ? Firmness.MOMENT : Math.max(0, bodies.held[body] - 1));
                 // Woken bodies are braced right away.
                 double carried = length > mostSupport && !bodies.isJustWoken(body) ? mostSupport / length : 1;
                 double x = kept * n[at] + gravityX + carried * n[by];

@@ -4,7 +4,7 @@ import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import dev.twister.world.TonedPixels;
 import java.util.Optional;
 
@@ -39,7 +39,7 @@ final class Cutout {
         Frame bodies = Frame.ofRadiance(width, rows);
         colors.stopWhen(progress::isStopped);
         bodies.stopWhen(progress::isStopped);
-        FrameInput shown = input.showing(Picture.BODY);
+        FrameInput shown = input.showing(StageOrView.BODY);
         Cutout cutout = new Cutout(width * rows);
         FrameTimes times = FrameTimes.NONE;
         for (int sample = 0; sample < samples; sample++) {

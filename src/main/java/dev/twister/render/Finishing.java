@@ -3,7 +3,7 @@ package dev.twister.render;
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.kernel.Guides;
 import dev.twister.kernel.Layout;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.Optional;
 
 /**
@@ -20,13 +20,13 @@ public record Finishing(boolean autoExposure, boolean guides, boolean lightLayer
     public static final Finishing NONE = new Finishing(false, false, false, Optional.empty());
 
     /** Whether a picture is rendered with guides. */
-    boolean guides(Picture picture) {
+    boolean guides(StageOrView picture) {
         return isFull(picture) && (guides || lightLayers || denoiser.isPresent());
     }
 
     /** Whether a picture has light over all its bounces, which can be denoised. */
-    public static boolean isFull(Picture picture) {
-        return picture == Picture.BEAUTY || picture == Picture.REFLECTIONS;
+    public static boolean isFull(StageOrView picture) {
+        return picture == StageOrView.BEAUTY;
     }
 
     /** For metadata of files. */

@@ -1,16 +1,19 @@
 package dev.twister.render;
 
 import dev.twister.denoise.Denoiser;
+import dev.twister.denoise.NoisyPicture;
+import dev.twister.denoise.Plane;
 import dev.twister.engine.Engine;
 import dev.twister.files.TwisterVersion;
 import dev.twister.image.ExrChannel;
 import dev.twister.image.Frame;
 import dev.twister.image.JoinedPicture;
 import dev.twister.image.Provenance;
+import dev.twister.kernel.Guides;
 import dev.twister.world.FrameDigest;
 import dev.twister.world.FrameInput;
 import dev.twister.world.LightGroups;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import dev.twister.world.TonedPixels;
 import java.util.ArrayList;
 import java.util.List;
@@ -43,7 +46,7 @@ final class PictureDrawing implements AutoCloseable {
     /** How the file of a picture is made; equal for all of its parts, except their samples. */
     Provenance provenance(FrameInput whole) {
         String software = "Twister " + TwisterVersion.text();
-        String drawn = order.pictures().stream().map(Picture::id).collect(Collectors.joining(","))
+        String drawn = order.pictures().stream().map(StageOrView::id).collect(Collectors.joining(","))
                 + (order.output().background() == Background.NONE ? ", no background" : "");
         return new Provenance(
                 software,
@@ -55,18 +58,18 @@ final class PictureDrawing implements AutoCloseable {
     }
 
     /** Renders the order's pictures of a frame, or the part of them that it asks for. */
-    List<DrawnAspect> draw(FrameInput whole, RenderProgress progress) {
+    List<RenderedView> draw(FrameInput whole, RenderProgress progress) {
         FrameInput input = order.part().of(whole);
-        List<DrawnAspect> drawn = new ArrayList<>();
-        for (Picture wanted : order.pictures()) {
+        List<RenderedView> drawn = new ArrayList<>();
+        for (StageOrView wanted : order.pictures()) {
             drawn.add(draw(wanted, input.showing(wanted), progress));
         }
         return drawn;
     }
 
-    private DrawnAspect draw(Picture wanted, FrameInput input, RenderProgress progress) {
+    private RenderedView draw(StageOrView wanted, FrameInput input, RenderProgress progress) {
         if (order.output().background() == Background.NONE) {
-            return new DrawnAspect(
+            return new RenderedView(
                     wanted, Cutout.draw(engine(), input, order.sampling().samples(), progress), List.of());
         }
         boolean guided = order.finishing().guides(wanted);
@@ -74,7 +77,7 @@ final class PictureDrawing implements AutoCloseable {
         FrameInput shown = guided ? lightGroups.map(input::withLightLayers).orElseGet(input::withGuides) : input;
         BandedDrawing.Drawn picture = BandedDrawing.draw(engine(), shown, order.sampling(), asRadiance, progress);
         List<ExrChannel> samples = samples(picture.samples());
-        return guided ? finished(wanted, shown, picture, samples) : new DrawnAspect(wanted, picture, samples);
+        return guided ? finished(wanted, shown, picture, samples) : new RenderedView(wanted, picture, samples);
     }
 
     /** The number of samples of each pixel, if they differ and there is one picture alone. */
@@ -84,8 +87,8 @@ final class PictureDrawing implements AutoCloseable {
                 : List.of(new ExrChannel(JoinedPicture.SAMPLES, samples, 0, 1));
     }
 
-    private DrawnAspect finished(
-            Picture wanted, FrameInput shown, BandedDrawing.Drawn drawn, List<ExrChannel> samples) {
+    private RenderedView finished(
+            StageOrView wanted, FrameInput shown, BandedDrawing.Drawn drawn, List<ExrChannel> samples) {
         GuidedPicture guided = new GuidedPicture(
                 drawn.frame(), lightGroups.map(LightGroups::names).orElse(List.of()));
         boolean denoises = order.finishing().denoiser().isPresent();
@@ -93,7 +96,7 @@ final class PictureDrawing implements AutoCloseable {
         Frame written = order.output().isLinear() ? frame : toned(frame, shown);
         List<ExrChannel> layers = new ArrayList<>(guided.channels(denoises));
         layers.addAll(samples);
-        return new DrawnAspect(wanted, drawn.with(written), layers);
+        return new RenderedView(wanted, drawn.with(written), layers);
     }
 
     private static Frame toned(Frame linear, FrameInput input) {
@@ -116,5 +119,52 @@ final class PictureDrawing implements AutoCloseable {
     public void close() {
         engine.ifPresent(Engine::close);
         denoiser.ifPresent(Denoiser::close);
+    }
+
+    /**
+     * A picture that was rendered with guides of denoising.
+     *
+     * @param frame linear, with albedo, normal and the light of groups of lights as layers
+     * @param lightGroups names of these groups
+     */
+    private record GuidedPicture(Frame frame, List<String> lightGroups) {
+        private static final int ALBEDO = 0;
+        private static final int NORMAL = 1;
+
+        /** The frame without its noise, with the same times. */
+        Frame denoised(Denoiser denoiser) {
+            float[] radiance = denoiser.denoise(new NoisyPicture(
+                    frame.width(), frame.height(), new Plane(frame.radiance(), 0), Optional.of(guides())));
+            Frame denoised = Frame.ofRadiance(frame.width(), frame.height());
+            System.arraycopy(radiance, 0, denoised.radiance(), 0, radiance.length);
+            denoised.setTimes(frame.times());
+            return denoised;
+        }
+
+        private NoisyPicture.Guides guides() {
+            return new NoisyPicture.Guides(
+                    new Plane(frame.layers(), frame.firstOf(ALBEDO)), new Plane(frame.layers(), frame.firstOf(NORMAL)));
+        }
+
+        /**
+         * Channels of the guides, and of the groups of lights.
+         *
+         * @param noisy whether the noisy picture is a layer, too
+         */
+        List<ExrChannel> channels(boolean noisy) {
+            List<ExrChannel> channels = new ArrayList<>();
+            channels.addAll(PictureLayers.channels(PictureLayers.GUIDE_ALBEDO, frame.layers(), frame.firstOf(ALBEDO)));
+            channels.addAll(PictureLayers.channels(PictureLayers.GUIDE_NORMAL, frame.layers(), frame.firstOf(NORMAL)));
+            for (int group = 0; group < lightGroups.size(); group++) {
+                channels.addAll(PictureLayers.channels(
+                        PictureLayers.light(lightGroups.get(group)),
+                        frame.layers(),
+                        frame.firstOf(Guides.LAYERS + group)));
+            }
+            if (noisy) {
+                channels.addAll(PictureLayers.channels(PictureLayers.NOISY, frame.radiance(), 0));
+            }
+            return channels;
+        }
     }
 }

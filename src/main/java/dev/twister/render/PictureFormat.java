@@ -7,7 +7,7 @@ import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
 import dev.twister.image.Provenance;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -46,7 +46,7 @@ public enum PictureFormat {
     }
 
     /** Memory for rendering and writing the pictures, in bytes per pixel. */
-    public long bytesPerPixel(List<Picture> pictures) {
+    public long bytesPerPixel(List<StageOrView> pictures) {
         long drawn = pictures.stream()
                 .mapToLong(picture -> BandedDrawing.bytesPerPixel(isLinear() || !picture.isColor()))
                 .sum();
@@ -54,7 +54,7 @@ public enum PictureFormat {
     }
 
     /** Whether 8-bit pixels are marked as sRGB; pictures of numbers always are, so that viewers show them unchanged. */
-    static boolean isEncoded(DrawnAspect drawn, FrameInput input) {
+    static boolean isEncoded(RenderedView drawn, FrameInput input) {
         return input.srgb() || !drawn.picture().isColor();
     }
 
@@ -67,9 +67,9 @@ public enum PictureFormat {
      * @param made stored in the file
      * @throws IOException as {@link dev.twister.files.WholeFile#write}
      */
-    void write(Path file, List<DrawnAspect> drawn, FrameInput input, boolean alpha, Provenance made)
+    void write(Path file, List<RenderedView> drawn, FrameInput input, boolean alpha, Provenance made)
             throws IOException {
-        DrawnAspect first = drawn.getFirst();
+        RenderedView first = drawn.getFirst();
         int width = first.frame().width();
         int height = first.frame().height();
         switch (this) {

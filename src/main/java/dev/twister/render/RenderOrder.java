@@ -3,7 +3,7 @@ package dev.twister.render;
 import dev.twister.engine.EngineOffer;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Scene;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 
 /**
@@ -18,7 +18,7 @@ import java.util.List;
 public record RenderOrder(
         Scene scene,
         EngineOffer engine,
-        List<Picture> pictures,
+        List<StageOrView> pictures,
         Sampling sampling,
         PicturePart part,
         Movement movement,

@@ -18,5 +18,5 @@ public record RenderResult(int kept, Optional<Single> picture) {
      * @param engine its id
      * @param device its display name
      */
-    public record Single(List<DrawnAspect> drawn, FrameInput part, String engine, String device) {}
+    public record Single(List<RenderedView> drawn, FrameInput part, String engine, String device) {}
 }

@@ -10,7 +10,7 @@ import dev.twister.image.PictureNotes;
 import dev.twister.image.Provenance;
 import dev.twister.threads.BackgroundWriter;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -26,9 +26,9 @@ public final class Renderer {
     private final RenderOutput output;
     private final RenderProgress progress;
     private final PictureDrawing drawing;
-    private final FilmScene shown;
+    private final FilmFrames shown;
 
-    private Renderer(RenderOrder order, RenderProgress progress, PictureDrawing drawing, FilmScene shown) {
+    private Renderer(RenderOrder order, RenderProgress progress, PictureDrawing drawing, FilmFrames shown) {
         this.order = order;
         output = order.output();
         this.progress = progress;
@@ -53,7 +53,7 @@ public final class Renderer {
         BodyMotion motion = order.movement().bodies();
         try (PictureDrawing drawing = new PictureDrawing(order, world::lightGroups);
                 FilmBodies bodies = FilmBodies.of(motion, order.scene(), world.meshes(), progress)) {
-            Renderer rendering = new Renderer(order, progress, drawing, new FilmScene(order, world, bodies));
+            Renderer rendering = new Renderer(order, progress, drawing, new FilmFrames(order, world, bodies));
             rendering.setExposure();
             progress.begin();
             return rendering.render();
@@ -91,7 +91,7 @@ public final class Renderer {
 
     /** By the film's first frame, whichever frames are rendered, so that all parts of a film are as bright. */
     private void setExposure() throws IOException {
-        Picture first = order.pictures().getFirst();
+        StageOrView first = order.pictures().getFirst();
         if (order.finishing().autoExposure() && first.isColor() && !output.isLinear()) {
             int start = order.movement().bodies() instanceof BodyMotion.Recorded recorded
                     ? recorded.file().firstFrame()
@@ -108,7 +108,7 @@ public final class Renderer {
         try (FilmWriting writing = new FilmWriting(FilmFile.of(output.file()), format)) {
             for (int number : frames.numbers().toArray()) {
                 FrameInput input = shown.frame(number);
-                DrawnAspect drawn = drawing.draw(input, progress).getFirst();
+                RenderedView drawn = drawing.draw(input, progress).getFirst();
                 writing.add(EncodedPixels.of(drawn.pixels(), PictureFormat.isEncoded(drawn, input)));
                 progress.frame();
             }
@@ -128,7 +128,7 @@ public final class Renderer {
                 if (isKept(number, made, part)) {
                     kept++;
                 } else {
-                    List<DrawnAspect> drawn = drawing.draw(input, progress);
+                    List<RenderedView> drawn = drawing.draw(input, progress);
                     writer.submit(1, () -> write(number, drawn, part, made));
                 }
                 progress.frame();
@@ -141,7 +141,7 @@ public final class Renderer {
     private RenderResult picture() throws IOException {
         FrameInput input = shown.frame(0);
         FrameInput part = order.part().of(input);
-        List<DrawnAspect> drawn = drawing.draw(input, progress);
+        List<RenderedView> drawn = drawing.draw(input, progress);
         progress.frame();
         write(0, drawn, part, drawing.provenance(input));
         return new RenderResult(
@@ -169,7 +169,7 @@ public final class Renderer {
         return false;
     }
 
-    private void write(int number, List<DrawnAspect> drawn, FrameInput part, Provenance made) throws IOException {
+    private void write(int number, List<RenderedView> drawn, FrameInput part, Provenance made) throws IOException {
         boolean alpha = output.background() == Background.NONE;
         output.format().write(output.file(number), drawn, part, alpha, made);
     }

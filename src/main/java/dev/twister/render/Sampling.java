@@ -38,7 +38,7 @@ public record Sampling(int samples, Optional<Double> noise) {
      * @param watcher called after each pass of samples
      * @return the number of samples of each tile and the noise, which is 0 if it was not estimated
      */
-    Converged draw(Engine engine, FrameInput input, Frame frame, Consumer<Convergence> watcher) {
+    public Converged draw(Engine engine, FrameInput input, Frame frame, Consumer<Convergence> watcher) {
         if (isGradual()) {
             return ConvergingPicture.draw(engine, input, frame, noise.orElse(0.0), samples, watcher);
         }

@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import dev.twister.scene.select.Tag;
+
 /** A body that a scene may have any number of: it is inserted, moved, copied and deleted. */
 public sealed interface Body permits Sphere, Mesh {
     /** What it is called in a sentence. */

@@ -2,6 +2,10 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.material.Alpha;
+import dev.twister.scene.material.Attenuation;
+import dev.twister.scene.material.Emission;
+import dev.twister.scene.material.Maps;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.Optional;

@@ -2,6 +2,8 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.property.SceneLimits;
+
 /**
  * How a picture is made; a scene file gives the defaults, a command line or a panel overrides them.
  *

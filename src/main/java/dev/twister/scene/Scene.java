@@ -1,5 +1,9 @@
 package dev.twister.scene;
 
+import dev.twister.scene.generate.Pour;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.select.SceneBodies;
+import dev.twister.scene.select.Title;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.LinkedHashMap;

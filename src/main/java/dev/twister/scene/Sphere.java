@@ -2,6 +2,8 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.select.Tag;
+
 /**
  * A sphere.
  *

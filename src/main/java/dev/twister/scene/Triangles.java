@@ -2,6 +2,8 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.property.Range;
+
 /**
  * Triangles that are made in code, in Twister's axes: x right, y up, z into the picture. Two of them are equal if they
  * are the same object. Scene files cannot have them.

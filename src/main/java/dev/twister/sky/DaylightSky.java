@@ -1,5 +1,11 @@
 package dev.twister.sky;
 
+import dev.twister.sky.daylight.Color;
+import dev.twister.sky.daylight.DaylightModel;
+import dev.twister.sky.daylight.Direction;
+import dev.twister.sky.daylight.Equirectangular;
+import dev.twister.sky.daylight.Sun;
+import dev.twister.sky.daylight.SunDisc;
 import java.util.stream.IntStream;
 
 /**

@@ -3,6 +3,7 @@ package dev.twister.sky;
 import dev.twister.exr.ExrBytes;
 import dev.twister.exr.ExrColors;
 import dev.twister.exr.OpenExrFile;
+import dev.twister.sky.image.FileBytes;
 import java.io.EOFException;
 import java.io.IOException;
 import java.util.List;

@@ -3,7 +3,7 @@ package dev.twister.sky;
 import java.io.IOException;
 
 /** How large a panorama may be, so that a broken or hostile file cannot ask for all the memory there is. */
-final class SkyboxLimits {
+public final class SkyboxLimits {
     /** Texels around the horizon. */
     static final int WIDTH = 16384;
 
@@ -16,14 +16,14 @@ final class SkyboxLimits {
     private SkyboxLimits() {}
 
     /** Checks what a header claims before anything is allocated for it. */
-    static void checkSize(long width, long height) throws IOException {
+    public static void checkSize(long width, long height) throws IOException {
         if (width < 1 || height < 1 || width > WIDTH || height > HEIGHT) {
             throw notAllowed(width, height);
         }
     }
 
     /** Checks a size of which it is not known yet which side is the width. */
-    static void checkEitherWay(long width, long height) throws IOException {
+    public static void checkEitherWay(long width, long height) throws IOException {
         if (Math.min(width, height) < 1 || Math.max(width, height) > WIDTH || Math.min(width, height) > HEIGHT) {
             throw notAllowed(width, height);
         }

@@ -1,7 +1,14 @@
 package dev.twister.sky;
 
+import dev.twister.sky.image.WebpFile;
 import dev.twister.files.GitLfs;
 import dev.twister.files.InputFile;
+import dev.twister.sky.image.FileBytes;
+import dev.twister.sky.image.LinearImage;
+import dev.twister.sky.image.OrdinaryImageFormat;
+import dev.twister.sky.image.OrdinaryImageReader;
+import dev.twister.sky.radiance.RadianceHeader;
+import dev.twister.sky.radiance.RadianceReader;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.AccessDeniedException;
@@ -45,7 +52,7 @@ public final class SkyboxReader {
         return read(file, warnings, SkyboxReader::decode);
     }
 
-    static <T> T read(Path file, Consumer<String> warnings, Decoder<T> decoder) {
+    public static <T> T read(Path file, Consumer<String> warnings, Decoder<T> decoder) {
         try {
             return readFile(file, warning -> warnings.accept(file + ": " + warning), decoder);
         } catch (AccessDeniedException denied) {
@@ -66,7 +73,7 @@ public final class SkyboxReader {
         }
     }
 
-    static Skybox decode(FileBytes file, Consumer<String> warnings) throws IOException {
+    public static Skybox decode(FileBytes file, Consumer<String> warnings) throws IOException {
         if (RadianceHeader.startsIn(file)) {
             return RadianceReader.read(file);
         }

@@ -1,5 +1,8 @@
 package dev.twister.sky;
 
+import dev.twister.sky.image.FileBytes;
+import dev.twister.sky.image.LinearImage;
+import dev.twister.sky.radiance.RadianceHeader;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;

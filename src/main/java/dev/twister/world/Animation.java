@@ -1,10 +1,12 @@
 package dev.twister.world;
 
-import dev.twister.scene.AnimatedProperty;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.property.AnimatedProperty;
+import dev.twister.world.animation.CameraPath;
+import dev.twister.world.animation.TrackCurve;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;

@@ -3,6 +3,8 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
 import dev.twister.scene.Vector3;
+import dev.twister.world.hierarchy.HierarchyIdentity;
+import dev.twister.world.hierarchy.SphereHierarchy;
 
 /**
  * The bodies as the kernel reads them. {@link Layout} describes the arrays, which are immutable. They have room for all

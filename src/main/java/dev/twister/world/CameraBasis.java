@@ -4,14 +4,14 @@ import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 
 /** Converts a camera's angles to the first floats of {@link View#frame}, so that no pixel needs trigonometry. */
-final class CameraBasis {
+public final class CameraBasis {
     private CameraBasis() {}
 
     /**
      * Position; right, up and forward, which are the axes turned by pitch about x, then by yaw about y; lens and eye
      * distance.
      */
-    static float[] of(Camera camera) {
+    public static float[] of(Camera camera) {
         double yaw = Math.toRadians(camera.yawDegrees());
         double pitch = Math.toRadians(camera.pitchDegrees());
         double sinYaw = Math.sin(yaw);

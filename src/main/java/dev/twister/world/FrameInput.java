@@ -5,6 +5,7 @@ import dev.twister.kernel.Guides;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
 import dev.twister.scene.ToneMap;
+import dev.twister.world.hierarchy.SphereHierarchy;
 import java.util.Arrays;
 
 /**
@@ -215,7 +216,7 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
      * A stage or view of this picture. 8-bit frames show the values as if they were colors; linear frames hold the
      * values themselves.
      */
-    public FrameInput showing(Picture picture) {
+    public FrameInput showing(StageOrView picture) {
         return with(view.showing(picture));
     }
 

@@ -2,14 +2,16 @@ package dev.twister.world;
 
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.LightLayers;
-import dev.twister.scene.Emission;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
-import dev.twister.scene.LightGroup;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.light.LightGroup;
+import dev.twister.scene.material.Emission;
+import dev.twister.world.table.GroupNumbers;
+import dev.twister.world.table.MeshBody;
 import java.util.List;
 
 /**
@@ -26,7 +28,7 @@ public record LightGroups(List<String> names, float[] layers) {
      * @throws SceneException if a light or an emitting body names the group of other light, such as the sky's
      * @throws IllegalArgumentException if there are more than {@link Layout#MOST_LIGHT_LAYERS}
      */
-    static LightGroups of(Scene scene, List<MeshBody> meshes) {
+    public static LightGroups of(Scene scene, List<MeshBody> meshes) {
         List<Sphere> spheres = scene.allSpheres();
         List<Light> further = scene.lights().further();
         int firstLight = Layout.FIRST_SPHERE + spheres.size();

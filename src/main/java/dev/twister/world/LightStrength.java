@@ -2,8 +2,8 @@ package dev.twister.world;
 
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.light.Lights;
 import java.util.List;
 
 /** How bright a light is in path tracing. */
@@ -11,7 +11,7 @@ public final class LightStrength {
     private LightStrength() {}
 
     /** The radiance of each light's surface: {@code color * strength / radius^2}. */
-    static List<Rgb> radiances(Lights lights, Ground ground) {
+    public static List<Rgb> radiances(Lights lights, Ground ground) {
         return lights.list().stream().map(light -> radiance(light, ground)).toList();
     }
 

@@ -14,6 +14,9 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Triangles;
 import dev.twister.scene.Vector3;
+import dev.twister.world.table.FarPoints;
+import dev.twister.world.table.MeshGeometry;
+import dev.twister.world.table.MeshPlace;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -155,7 +158,7 @@ public final class SceneMeshes {
     }
 
     /** The data of all meshes, see {@link Layout}; the same array as long as the meshes are the same. */
-    float[] floats() {
+    public float[] floats() {
         return floats;
     }
 
@@ -208,7 +211,7 @@ public final class SceneMeshes {
      * The textures of the files' own materials that meshes of the scene use, with where the scene file refers to the
      * mesh.
      */
-    Map<Path, String> textures(Scene scene) {
+    public Map<Path, String> textures(Scene scene) {
         Map<Path, String> placeByTexture = new LinkedHashMap<>();
         for (int i = 0; i < scene.meshes().size(); i++) {
             Mesh mesh = scene.meshes().get(i);
@@ -231,7 +234,7 @@ public final class SceneMeshes {
     }
 
     /** The location of one of the meshes of a mesh's file. */
-    MeshPlace place(Mesh mesh, int number) {
+    public MeshPlace place(Mesh mesh, int number) {
         return loaded(mesh).places().get(number);
     }
 

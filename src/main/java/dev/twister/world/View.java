@@ -18,7 +18,7 @@ public record View(float[] frame, int aspect) {
      * @param disc points of the unit sunflower, {@code sqrt(i / n)} from the center: x and y of each shadow sample
      * @param samples {@link PixelSamples}
      */
-    static View of(float[] values, float[] disc, float[] samples, int aspect) {
+    public static View of(float[] values, float[] disc, float[] samples, int aspect) {
         float[] frame = new float[Layout.DISC + disc.length + samples.length];
         System.arraycopy(values, 0, frame, 0, Layout.SAMPLES);
         frame[Layout.TILES] = 0;
@@ -46,7 +46,7 @@ public record View(float[] frame, int aspect) {
         return (int) frame[Layout.SAMPLES];
     }
 
-    View withSize(int width, int height) {
+    public View withSize(int width, int height) {
         float[] sized = frame.clone();
         sized[Layout.WIDTH] = width;
         sized[Layout.HEIGHT] = height;
@@ -78,12 +78,12 @@ public record View(float[] frame, int aspect) {
         return new View(limited, aspect);
     }
 
-    View showing(Picture picture) {
+    View showing(StageOrView picture) {
         float[] shown = frame.clone();
         if (!picture.bounces()) {
             shown[Layout.BOUNCES] = 0;
         }
-        boolean hard = picture == Picture.HARD_SHADOWS;
+        boolean hard = picture == StageOrView.HARD_SHADOWS;
         if (hard) {
             shown[Layout.SHADOW_SAMPLES] = 1;
         }

@@ -5,7 +5,7 @@ import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 
 /** Runs out of memory for pictures of one width. */
-record GreedyEngine(Engine engine, String id, int width) implements Engine {
+public record GreedyEngine(Engine engine, String id, int width) implements Engine {
     @Override
     public String device() {
         return engine.device();

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.Links;
 import dev.twister.image.HdrWriter;
-import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.format.SceneWriter;
+import dev.twister.scene.generate.SceneGenerator;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

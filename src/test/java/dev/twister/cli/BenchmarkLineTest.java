@@ -3,11 +3,11 @@ package dev.twister.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import dev.twister.bench.Benchmark;
-import dev.twister.bench.BenchmarkPlan;
-import dev.twister.bench.BenchmarkReport;
-import dev.twister.bench.MachineInfo;
-import dev.twister.bench.Setting;
+import dev.twister.bench.benchmark.Benchmark;
+import dev.twister.bench.benchmark.BenchmarkPlan;
+import dev.twister.bench.benchmark.BenchmarkReport;
+import dev.twister.bench.benchmark.MachineInfo;
+import dev.twister.bench.benchmark.Setting;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.Engines;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.ChildJvm;
-import dev.twister.bench.Jit;
+import dev.twister.bench.benchmark.Jit;
 import dev.twister.image.PngWriter;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;

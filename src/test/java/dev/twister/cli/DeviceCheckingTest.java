@@ -2,7 +2,7 @@ package dev.twister.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.bench.DeviceCheckPlan;
+import dev.twister.bench.device.DeviceCheckPlan;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.FakeEngine;

@@ -3,10 +3,10 @@ package dev.twister.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.Engines;
-import dev.twister.gui.model.FilmMotion;
-import dev.twister.gui.model.FilmPlan;
-import dev.twister.gui.model.RenderJob;
-import dev.twister.gui.model.WindowOrder;
+import dev.twister.gui.rendering.FilmMotion;
+import dev.twister.gui.rendering.RenderJob;
+import dev.twister.gui.rendering.WindowOrder;
+import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.physics.Simulation;
 import dev.twister.render.FrameRange;
 import dev.twister.render.RenderOrder;
@@ -17,9 +17,9 @@ import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.format.SceneWriter;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
+import dev.twister.world.StageOrView;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -41,14 +41,14 @@ class WindowFilesTest {
     @ParameterizedTest
     @ValueSource(strings = {"a.png", "a.hdr", "a.exr"})
     void pictures(String name) {
-        Path file = render(scene("teaching"), Picture.REFLECTIONS, Optional.empty(), name);
+        Path file = render(scene("teaching"), StageOrView.BEAUTY, Optional.empty(), name);
 
         assertThat(file).hasSameBinaryContentAs(command(name));
     }
 
     @Test
     void picturesOfMeshes() {
-        Path file = render(scene("knot"), Picture.REFLECTIONS, Optional.empty(), "a.png");
+        Path file = render(scene("knot"), StageOrView.BEAUTY, Optional.empty(), "a.png");
 
         assertThat(file).hasSameBinaryContentAs(command("a.png"));
     }
@@ -56,8 +56,8 @@ class WindowFilesTest {
     @Test
     void stagesAndViews() {
         Scene scene = scene("teaching");
-        Path stage = render(scene, Picture.DIFFUSE, Optional.empty(), "a.png");
-        Path view = render(scene, Picture.DEPTH, Optional.empty(), "b.png");
+        Path stage = render(scene, StageOrView.DIFFUSE, Optional.empty(), "a.png");
+        Path view = render(scene, StageOrView.DEPTH, Optional.empty(), "b.png");
 
         assertThat(stage).hasSameBinaryContentAs(command("a.png", "--stage", "diffuse"));
         assertThat(view).hasSameBinaryContentAs(command("b.png", "--view", "depth"));
@@ -101,7 +101,7 @@ class WindowFilesTest {
             seen = world.snapshot();
         }
 
-        Path file = render(scene, Picture.REFLECTIONS, Optional.of(seen), "a.png");
+        Path file = render(scene, StageOrView.BEAUTY, Optional.of(seen), "a.png");
 
         assertThat(file).hasSameBinaryContentAs(command("a.png", "--physics", "--start", "0.5"));
     }
@@ -127,10 +127,10 @@ class WindowFilesTest {
 
     private Path film(Scene scene, FilmMotion motion, FrameRange frames, String name) {
         FilmPlan plan = new FilmPlan(motion, RATE, frames);
-        return render(WindowOrder.film(scene, Picture.REFLECTIONS, Engines.offer(ENGINE), plan, folder.resolve(name)));
+        return render(WindowOrder.film(scene, StageOrView.BEAUTY, Engines.offer(ENGINE), plan, folder.resolve(name)));
     }
 
-    private Path render(Scene scene, Picture picture, Optional<FrameInput> seen, String name) {
+    private Path render(Scene scene, StageOrView picture, Optional<FrameInput> seen, String name) {
         return render(WindowOrder.picture(scene, picture, Engines.offer(ENGINE), seen, folder.resolve(name)));
     }
 

@@ -16,7 +16,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import dev.twister.world.World;
 import java.util.Arrays;
 import org.assertj.core.data.Offset;
@@ -57,9 +57,9 @@ class GuidesTest {
         FrameInput input = ball(MATTE, integrator);
         Frame guided = render(JvmEngines.PARALLEL, input.withGuides());
         float[] albedo =
-                render(JvmEngines.PARALLEL, input.showing(Picture.ALBEDO)).radiance();
+                render(JvmEngines.PARALLEL, input.showing(StageOrView.ALBEDO)).radiance();
         float[] normal =
-                render(JvmEngines.PARALLEL, input.showing(Picture.NORMAL)).radiance();
+                render(JvmEngines.PARALLEL, input.showing(StageOrView.NORMAL)).radiance();
 
         for (int i = 0; i < 3; i++) {
             assertThat(guided.layers()[MIDDLE + i]).isCloseTo(albedo[MIDDLE + i], CLOSE);

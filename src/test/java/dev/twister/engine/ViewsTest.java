@@ -7,7 +7,6 @@ import dev.twister.oracle.Pictures;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -15,10 +14,11 @@ import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
+import dev.twister.scene.light.Lights;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -39,8 +39,8 @@ class ViewsTest {
     private static final int SHADOW_SAMPLES = 7;
 
     @ParameterizedTest
-    @EnumSource(Picture.class)
-    void enginesShowTheSame(Picture picture) {
+    @EnumSource(StageOrView.class)
+    void enginesShowTheSame(StageOrView picture) {
         FrameInput input = crowd(2).showing(picture);
         float[] expected = Pictures.radiance(JvmEngines.SEQUENTIAL, input);
 
@@ -53,8 +53,8 @@ class ViewsTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Picture.class)
-    void bandsComeToTheWhole(Picture picture) {
+    @EnumSource(StageOrView.class)
+    void bandsComeToTheWhole(StageOrView picture) {
         FrameInput input = crowd(1).showing(picture);
         float[] whole = Pictures.radiance(JvmEngines.SEQUENTIAL, input);
 
@@ -65,8 +65,8 @@ class ViewsTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Picture.class)
-    void pixelIsTheMeanOfItsSamples(Picture picture) {
+    @EnumSource(StageOrView.class)
+    void pixelIsTheMeanOfItsSamples(StageOrView picture) {
         FrameInput input = crowd(3).showing(picture);
         float[] mean = Pictures.radiance(JvmEngines.SEQUENTIAL, input);
         float[][] samples = new float[3][];
@@ -89,13 +89,13 @@ class ViewsTest {
         "COLORS, 0.25",
         "HIGHLIGHTS, 0.25"
     })
-    void nothingHasItsOwnNumber(Picture picture, double red) {
+    void nothingHasItsOwnNumber(StageOrView picture, double red) {
         assertThat(red(AHEAD, 3, MATTE, picture)).isEqualTo(red);
     }
 
     @ParameterizedTest
     @CsvSource({"ALBEDO, 0.9", "NORMAL, 0.5", "DEPTH, 4.5", "BODY, 0", "SHADOW, 1", "BOUNCES, 0", "DIFFUSE, 0.9"})
-    void lightHasItsOwnNumber(Picture picture, double red) {
+    void lightHasItsOwnNumber(StageOrView picture, double red) {
         Camera below = Camera.of(new Vector3(0, 5, 0), 0, -90, 60);
         assertThat(red(below, 3, MATTE, picture)).isCloseTo(red, within(1e-6));
     }
@@ -103,28 +103,28 @@ class ViewsTest {
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 5})
     void rayIntoTheSkyIsTestedAgainstEachBody(int spheres) {
-        assertThat(red(AHEAD, 3, MATTE, Picture.TESTS, beside(spheres))).isEqualTo(2 + spheres);
+        assertThat(red(AHEAD, 3, MATTE, StageOrView.TESTS, beside(spheres))).isEqualTo(2 + spheres);
     }
 
     /** Each sphere adds one shadow test, as none comes near the light's disc. */
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 5})
     void litGroundLooksAtEachSphereOnce(int spheres) {
-        assertThat(red(DOWN, 0, MATTE, Picture.TESTS, beside(spheres))).isEqualTo(2 + 2 * spheres);
+        assertThat(red(DOWN, 0, MATTE, StageOrView.TESTS, beside(spheres))).isEqualTo(2 + 2 * spheres);
     }
 
     /** A small sphere high above covers part of the disc, so each shadow ray is tested against it. */
     @Test
     void penumbraTestsEachShadowRay() {
-        assertThat(red(DOWN, 0, MATTE, Picture.TESTS, sphere(0.25, 8, 0.25, 0.1, MATTE)))
+        assertThat(red(DOWN, 0, MATTE, StageOrView.TESTS, sphere(0.25, 8, 0.25, 0.1, MATTE)))
                 .isEqualTo(2 + 2 + SHADOW_SAMPLES);
     }
 
     @Test
     void mirrorsTestMoreThanOneRay() {
-        assertThat(red(DOWN, 1, 128, Picture.TESTS)).isEqualTo(2 + 1);
-        assertThat(red(DOWN, 1, 128, Picture.BOUNCES)).isEqualTo(1);
-        assertThat(red(DOWN, 0, 128, Picture.BOUNCES)).isZero();
+        assertThat(red(DOWN, 1, 128, StageOrView.TESTS)).isEqualTo(2 + 1);
+        assertThat(red(DOWN, 1, 128, StageOrView.BOUNCES)).isEqualTo(1);
+        assertThat(red(DOWN, 0, 128, StageOrView.BOUNCES)).isZero();
     }
 
     /**
@@ -136,7 +136,7 @@ class ViewsTest {
     void glassFollowsBothRays(int bounces, int followed) {
         Sphere ball = sphere(0.5, 5, 0, 1, MATTE);
         Sphere glass = ball.withMaterial(ball.material().withTransmission(1).withColor(new Rgb(1, 1, 1)));
-        assertThat(red(AHEAD, bounces, MATTE, Picture.BOUNCES, glass)).isEqualTo(followed);
+        assertThat(red(AHEAD, bounces, MATTE, StageOrView.BOUNCES, glass)).isEqualTo(followed);
     }
 
     /** The ball's upper side is closer to the light, and a body does not shade itself. */
@@ -144,13 +144,13 @@ class ViewsTest {
     void shadowIsFoundWhereItChangesNothing() {
         Sphere ball = sphere(0.5, 5, 0, 1, MATTE);
         Sphere blocker = sphere(0.35, 7.5, -0.5, 1, MATTE);
-        assertThat(red(AHEAD, 0, MATTE, Picture.SHADOW, ball)).isEqualTo(1);
-        assertThat(red(AHEAD.withPosition(new Vector3(0.5, 4.6, -5)), 0, MATTE, Picture.SHADOW, ball, blocker))
+        assertThat(red(AHEAD, 0, MATTE, StageOrView.SHADOW, ball)).isEqualTo(1);
+        assertThat(red(AHEAD.withPosition(new Vector3(0.5, 4.6, -5)), 0, MATTE, StageOrView.SHADOW, ball, blocker))
                 .isLessThan(1);
     }
 
     private static double red(
-            Camera camera, int bounces, double groundReflectivity, Picture picture, Sphere... spheres) {
+            Camera camera, int bounces, double groundReflectivity, StageOrView picture, Sphere... spheres) {
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(camera)
                 .withLights(Lights.of(Light.of(new Vector3(0, 10, 0), 0.5, new Rgb(0.9, 1, 1))))

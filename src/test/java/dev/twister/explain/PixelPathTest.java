@@ -18,15 +18,15 @@ import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.List;
@@ -176,7 +176,7 @@ class PixelPathTest {
             Random random = new Random(seed);
             LitScene scene = seed % 2 == 0 ? RandomMaterials.scene(random, 6) : RandomMeshes.scene(random, 6);
             FrameInput input = input(scene, scene.scene().rendering().withSize(24, 16));
-            float[] counts = Pictures.radiance(JvmEngines.SEQUENTIAL, input.showing(Picture.BOUNCES));
+            float[] counts = Pictures.radiance(JvmEngines.SEQUENTIAL, input.showing(StageOrView.BOUNCES));
             for (int pixel = 0; pixel < input.width() * input.height(); pixel += 7) {
                 int rays = 0;
                 for (int sample = 0; sample < input.samplesPerPixel(); sample++) {
@@ -311,7 +311,7 @@ class PixelPathTest {
     @Test
     void viewsAreExplainedAsThePicture() {
         FrameInput input = one(64, 1, new Vector3(5, 4, 5));
-        assertThat(PixelPath.of(input.showing(Picture.DEPTH), 0, 0, 0)).isEqualTo(PixelPath.of(input, 0, 0, 0));
+        assertThat(PixelPath.of(input.showing(StageOrView.DEPTH), 0, 0, 0)).isEqualTo(PixelPath.of(input, 0, 0, 0));
     }
 
     @Test

@@ -10,20 +10,22 @@ class UserHomeTest {
     @ParameterizedTest
     @ValueSource(strings = {"Linux", "Mac OS X", "FreeBSD"})
     void onUnixTheVariableWins(String system) {
-        assertThat(UserHome.find(system, Map.of("HOME", "/mine"), "/home/ada")).isEqualTo("/mine");
+        assertThat(UserFolder.UserHome.find(system, Map.of("HOME", "/mine"), "/home/ada"))
+                .isEqualTo("/mine");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"Linux", "Mac OS X"})
     void withoutTheVariableJavaSays(String system) {
-        assertThat(UserHome.find(system, Map.of(), "/home/ada")).isEqualTo("/home/ada");
-        assertThat(UserHome.find(system, Map.of("HOME", ""), "/home/ada")).isEqualTo("/home/ada");
+        assertThat(UserFolder.UserHome.find(system, Map.of(), "/home/ada")).isEqualTo("/home/ada");
+        assertThat(UserFolder.UserHome.find(system, Map.of("HOME", ""), "/home/ada"))
+                .isEqualTo("/home/ada");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"Windows 11", "Windows Server 2025"})
     void onWindowsJavaSays(String system) {
-        assertThat(UserHome.find(system, Map.of("HOME", "/mine"), "C:\\Users\\ada"))
+        assertThat(UserFolder.UserHome.find(system, Map.of("HOME", "/mine"), "C:\\Users\\ada"))
                 .isEqualTo("C:\\Users\\ada");
     }
 }

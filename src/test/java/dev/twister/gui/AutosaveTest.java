@@ -2,10 +2,9 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.model.Autosave;
-import dev.twister.gui.model.AutosaveFolder;
-import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.FileMark;
+import dev.twister.gui.files.AutosaveFolder;
+import dev.twister.gui.files.AutosaveFolder.Autosave;
+import dev.twister.gui.studio.EditedFile;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
@@ -67,7 +66,7 @@ class AutosaveTest {
 
     /** What a killed process leaves. */
     private void leave(Path of) throws IOException {
-        try (Autosave autosave = folder.begin(new EditedFile(of, FileMark.of(of)))) {
+        try (Autosave autosave = folder.begin(new EditedFile(of, EditedFile.Digest.of(of)))) {
             autosave.write(edited);
         }
     }
@@ -146,7 +145,7 @@ class AutosaveTest {
     @Test
     void editsWhoseSkyIsGoneAreRestoredUnderThePresentOne() throws IOException {
         Path sky = Files.copy(Path.of("skyboxes", "sunset.hdr"), parent.resolve("gone.hdr"));
-        try (Autosave autosave = folder.begin(new EditedFile(file, FileMark.of(file)))) {
+        try (Autosave autosave = folder.begin(new EditedFile(file, EditedFile.Digest.of(file)))) {
             autosave.write(edited.withSky(edited.sky().withFile(sky)));
         }
         Files.delete(sky);

@@ -10,13 +10,13 @@ import dev.twister.gui.bodies.SelectionView;
 import dev.twister.gui.bodies.TransformHandles;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.CameraNumbers;
-import dev.twister.gui.model.SelectedBodies;
-import dev.twister.gui.model.SphereOutline;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.SelectedBodies;
+import dev.twister.gui.picking.BodyOutline;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.property.CameraNumbers;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Light;
@@ -107,7 +107,7 @@ class BodiesTest {
     private static Point2D seenAt(int body, PictureView view) {
         return WindowDriver.call(() -> {
             DrawnPicture picture = driver.studio.pictureProperty().get().orElseThrow();
-            double[] corners = SphereOutline.corners(picture.input(), body, 4);
+            double[] corners = BodyOutline.ofSphere(picture.input(), body, 4);
             double x = (corners[0] + corners[2] + corners[4] + corners[6]) / 4;
             double y = (corners[1] + corners[3] + corners[5] + corners[7]) / 4;
             return view.localToScreen(view.place().toView(x, y));

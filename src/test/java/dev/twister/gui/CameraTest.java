@@ -7,7 +7,7 @@ import dev.twister.gui.camera.CameraKeys;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.scene.Camera;
-import dev.twister.world.CameraMotion;
+import dev.twister.world.animation.CameraMotion;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.event.Event;
 import javafx.geometry.Bounds;

@@ -2,7 +2,7 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.bench.WindowRates;
+import dev.twister.bench.report.WindowRates;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawnPicture;

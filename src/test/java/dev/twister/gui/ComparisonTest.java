@@ -2,10 +2,10 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.model.PictureDifference;
 import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.Comparison.Mode;
-import dev.twister.world.Picture;
+import dev.twister.gui.picture.PictureDifference;
+import dev.twister.world.StageOrView;
 import java.util.Optional;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
@@ -22,7 +22,7 @@ class ComparisonTest {
             driver.await(() -> largest(comparison).filter(error -> error == 0).isPresent());
             assertThat(driver.text("difference")).isEqualTo("No difference");
 
-            driver.run(() -> comparison.shownProperty().set(Optional.of(Picture.NORMAL)));
+            driver.run(() -> comparison.shownProperty().set(Optional.of(StageOrView.NORMAL)));
             driver.await(() -> largest(comparison).filter(error -> error > 100).isPresent());
 
             assertThat(driver.text("difference"))

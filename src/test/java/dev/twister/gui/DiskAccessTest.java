@@ -2,9 +2,9 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.model.AutosaveFolder;
-import dev.twister.gui.model.SettingsStore;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.AutosaveFolder;
+import dev.twister.gui.files.SettingsStore;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.format.SceneReader;

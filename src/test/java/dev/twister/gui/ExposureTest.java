@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.engine.ExposureMeter;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.picture.ClippingView;
+import dev.twister.gui.property.SceneNumbers;
 import dev.twister.image.Histogram;
 import dev.twister.scene.Scene;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.Optional;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
@@ -55,7 +55,7 @@ class ExposureTest {
     @Tag("slow")
     @Test
     void whatHasNoExposureHasNoHistogram() {
-        driver.run(() -> driver.studio.setShown(Picture.NORMAL));
+        driver.run(() -> driver.studio.setShown(StageOrView.NORMAL));
         driver.await(() -> text("clipped").equals("Normal has no exposure: its colors are not light"));
         assertThat(auto().isDisabled()).isTrue();
 
@@ -64,7 +64,7 @@ class ExposureTest {
         driver.type(Command.AUTO_EXPOSURE.keys());
         assertThat(driver.notice()).isEqualTo("Normal has no exposure: its colors are not light");
         assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(before);
-        driver.run(() -> driver.studio.setShown(Picture.REFLECTIONS));
+        driver.run(() -> driver.studio.setShown(StageOrView.BEAUTY));
         driver.await(() -> text("clipped").startsWith("Clipped: "));
         assertThat(auto().isDisabled()).isFalse();
     }

@@ -6,26 +6,25 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.edit.SceneHistory;
 import dev.twister.gui.files.SceneSaving;
-import dev.twister.gui.model.DaylightFile;
-import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.FileMark;
-import dev.twister.gui.model.SceneHistory;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.panel.Panel;
 import dev.twister.gui.picture.PictureActions;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.property.DaylightFile;
+import dev.twister.gui.studio.BackgroundTasks;
+import dev.twister.gui.studio.EditedFile;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.mesh.MeshException;
 import dev.twister.mesh.MeshReader;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneBodies;
 import dev.twister.scene.SceneException;
-import dev.twister.scene.Title;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.format.SceneWriter;
+import dev.twister.scene.select.SceneBodies;
+import dev.twister.scene.select.Title;
 import dev.twister.sky.ShippedSky;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.SkyboxReader;
@@ -85,7 +84,7 @@ class FilesTest {
                     "shadows", now -> now.withRendering(now.rendering().withShadowSamples(1)));
             SceneHistory.Version saved = driver.studio.document().toSave();
             SceneWriter.write(saved.scene(), scene);
-            driver.studio.document().saved(saved, new EditedFile(scene, FileMark.of(scene)));
+            driver.studio.document().saved(saved, new EditedFile(scene, EditedFile.Digest.of(scene)));
         });
         driver.awaitCurrentPicture();
     }
@@ -711,13 +710,12 @@ class FilesTest {
         Path frames = Files.createDirectory(folder.resolve("frames"));
         driver.files.choose(frames);
         AtomicBoolean passed = new AtomicBoolean();
-        try (Errands errands = new Errands()) {
-            PictureActions pictures =
-                    new PictureActions(driver.studio, driver.files, new Dialogs(driver.stage), errands);
+        try (BackgroundTasks tasks = new BackgroundTasks()) {
+            PictureActions pictures = new PictureActions(driver.studio, driver.files, new Dialogs(driver.stage), tasks);
             driver.run(() -> {
                 pictures.toggleRecording();
                 pictures.finish();
-                errands.run(() -> "", _ -> passed.set(true), _ -> {});
+                tasks.run(() -> "", _ -> passed.set(true), _ -> {});
             });
             driver.await(passed::get);
             assertThat(pictures.recorderProperty().get()).isEmpty();

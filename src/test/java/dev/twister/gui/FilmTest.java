@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.gui.camera.FilmBar;
 import dev.twister.gui.camera.KeyframeMarks;
 import dev.twister.gui.controls.Command;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.TrackEdits;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.TrackEdits;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.scene.Camera;
@@ -17,7 +17,7 @@ import dev.twister.scene.Track;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.format.SceneWriter;
-import dev.twister.world.CameraPath;
+import dev.twister.world.animation.CameraPath;
 import java.nio.file.Path;
 import java.util.List;
 import javafx.geometry.Bounds;
@@ -234,7 +234,7 @@ class FilmTest {
     @Test
     void anotherSceneHasItsOwnKeyframesAndAViewLeavesThem() {
         setTwo();
-        driver.run(() -> driver.studio.hand().keepView(1));
+        driver.run(() -> driver.studio.cameraControl().keepView(1));
         Scene film = WindowDriver.call(driver.studio::scene);
         show(WindowScenes.tiny());
         assertThat(WindowDriver.call(bar()::isVisible)).isFalse();
@@ -242,7 +242,7 @@ class FilmTest {
         show(film);
         driver.run(() -> {
             driver.studio.moveCamera(camera -> camera.withYawDegrees(90));
-            driver.studio.hand().recallView(1);
+            driver.studio.cameraControl().recallView(1);
         });
         assertThat(camera()).isEqualTo(film.camera());
         assertThat(camera().keyframes()).hasSize(2);

@@ -2,8 +2,8 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.WindowPlace;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import java.util.List;
@@ -155,7 +155,7 @@ class FloatingPanelTest {
                         panelStage().getWidth(),
                         panelStage().getHeight())))
                 .containsExactly(30.0, 40.0, 400.0, 300.0);
-        assertThat(WindowPlace.of(driver.window.workbench().settings().settings()))
-                .contains(new WindowPlace(30, 40, 400, 300));
+        assertThat(WindowSettings.Bounds.of(driver.window.workbench().settings().settings()))
+                .contains(new WindowSettings.Bounds(30, 40, 400, 300));
     }
 }

@@ -15,7 +15,7 @@ class LanguageTest {
 
         public static void main(String[] arguments) {
             Locale.setDefault(Locale.GERMANY);
-            Language.choose();
+            Gui.chooseLanguage();
             System.out.println(ButtonType.CANCEL.getText());
         }
     }

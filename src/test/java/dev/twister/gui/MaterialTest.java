@@ -3,10 +3,9 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.AutosaveFolder;
-import dev.twister.gui.model.BodyMaterials;
-import dev.twister.gui.model.MaterialPreset;
-import dev.twister.gui.model.TagEdits;
+import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.TagEdits;
+import dev.twister.gui.files.AutosaveFolder;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.image.PngWriter;
@@ -125,12 +124,12 @@ class MaterialTest {
     void aPresetIsOneEditAndTheRowsShowIt() {
         select(FIRST + 2);
         Scene before = now();
-        ComboBox<Optional<MaterialPreset>> box = box("Preset");
-        driver.run(() -> box.setValue(Optional.of(MaterialPreset.DIAMOND)));
+        ComboBox<Optional<BodyMaterials.Preset>> box = box("Preset");
+        driver.run(() -> box.setValue(Optional.of(BodyMaterials.Preset.DIAMOND)));
 
         assertThat(material(FIRST + 2).ior()).isEqualTo(2.42);
         assertThat(unit()).isEqualTo("% (p 0)");
-        assertThat(WindowDriver.call(box::getValue)).contains(MaterialPreset.DIAMOND);
+        assertThat(WindowDriver.call(box::getValue)).contains(BodyMaterials.Preset.DIAMOND);
         driver.run(driver.studio::undo);
         assertThat(now()).isEqualTo(before);
         driver.run(driver.studio::redo);
@@ -225,10 +224,10 @@ class MaterialTest {
         OpenedScene opened = new OpenedScene(file, scene());
         try (WindowDriver own = WindowDriver.open(opened, new AutosaveFolder(Optional.of(autosaves), Duration.ZERO))) {
             own.run(() -> own.studio.edit(
-                    "preset", scene -> BodyMaterials.edited(scene, FIRST, MaterialPreset.GLASS::appliedTo)));
+                    "preset", scene -> BodyMaterials.edited(scene, FIRST, BodyMaterials.Preset.GLASS::appliedTo)));
             own.await(() -> autosaved(autosaves).isPresent());
             Scene kept = SceneReader.read(autosaved(autosaves).orElseThrow());
-            assertThat(MaterialPreset.of(BodyMaterials.of(kept, FIRST))).contains(MaterialPreset.GLASS);
+            assertThat(BodyMaterials.Preset.of(BodyMaterials.of(kept, FIRST))).contains(BodyMaterials.Preset.GLASS);
             assertThat(BodyMaterials.of(kept, FIRST + 1)).isEqualTo(STEEL);
         }
     }

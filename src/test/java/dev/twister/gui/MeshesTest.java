@@ -5,13 +5,12 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.AutosaveFolder;
-import dev.twister.gui.model.BodyChoices;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyMaterials;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.MaterialPreset;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.BodyTitles;
+import dev.twister.gui.files.AutosaveFolder;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.OpenedScene;
@@ -277,8 +276,8 @@ class MeshesTest {
                 .contains(WindowDriver.call(() -> driver.studio.bodies().fileMaterial(SECOND)));
         type("Roughness", "0.5");
         assertThat(BodyMaterials.of(now(), FIRST).roughness()).isEqualTo(0.5);
-        ComboBox<Optional<MaterialPreset>> box = box("Preset");
-        driver.run(() -> box.setValue(Optional.of(MaterialPreset.GLASS)));
+        ComboBox<Optional<BodyMaterials.Preset>> box = box("Preset");
+        driver.run(() -> box.setValue(Optional.of(BodyMaterials.Preset.GLASS)));
         assertThat(BodyMaterials.of(now(), FIRST).transmission()).isEqualTo(1);
         assertThat(mesh(SECOND).material()).isEmpty();
         driver.run(() -> ((CheckBox) row("Own material").firstControl()).fire());
@@ -313,7 +312,7 @@ class MeshesTest {
         Bounds picture = driver.pictureOnScreen();
         assertThat(outlineMiddle().getX()).isCloseTo(picture.getCenterX(), within(picture.getWidth() / 20));
         assertThat(outline().getHeight()).isGreaterThan(0.4 * Math.min(picture.getWidth(), picture.getHeight()));
-        driver.run(() -> driver.studio.hand().goHome());
+        driver.run(() -> driver.studio.cameraControl().goHome());
     }
 
     @Tag("slow")
@@ -377,7 +376,7 @@ class MeshesTest {
         assertThat(selected()).isEqualTo(BodyNumber.ofMesh(2));
         assertThat(undoable()).isEqualTo("insert torus");
         Mesh ring = now().meshes().getLast();
-        assertThat(BodyChoices.title(now(), selected())).isEqualTo("Mesh 3 (torus)");
+        assertThat(BodyTitles.title(now(), selected())).isEqualTo("Mesh 3 (torus)");
         assertThat(ring.position().y() - ((Shape) ring.geometry()).size().y() / 2)
                 .isGreaterThanOrEqualTo(now().ground().height());
         driver.run(driver.studio::undo);

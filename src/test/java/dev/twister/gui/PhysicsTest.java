@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.controls.Command;
+import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.drawing.Motion;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyMaterials;
-import dev.twister.gui.model.BodyNumbers;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyMaterials;
 import dev.twister.gui.panel.PanelRow;
+import dev.twister.gui.property.BodyNumbers;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.kernel.Layout;
 import dev.twister.physics.Simulation;

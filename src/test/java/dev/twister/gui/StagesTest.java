@@ -6,7 +6,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.NumberColors;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.image.Frame;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
 import javafx.scene.control.RadioMenuItem;
@@ -24,7 +24,7 @@ class StagesTest {
             driver.typeWith(KeyCode.F4, KeyCode.SHIFT);
             DrawnPicture softShadows = driver.awaitCurrentPicture();
 
-            assertThat(albedo.request().shown()).isEqualTo(Picture.ALBEDO);
+            assertThat(albedo.request().shown()).isEqualTo(StageOrView.ALBEDO);
             assertThat(softShadows.input().bounces()).isZero();
             assertThat(driver.text("facts")).contains("Soft shadows");
             assertThat(marked(driver)).isEqualTo("Soft shadows");
@@ -34,7 +34,7 @@ class StagesTest {
     @Test
     void numbersHaveTheColorsOfTheirScale() {
         try (WindowDriver driver = WindowDriver.open()) {
-            driver.run(() -> driver.studio.setShown(Picture.BODY));
+            driver.run(() -> driver.studio.setShown(StageOrView.BODY));
             DrawnPicture rest = driver.awaitRest();
 
             Frame numbers = Frame.ofRadiance(rest.frame().width(), rest.frame().height());
@@ -42,7 +42,7 @@ class StagesTest {
                 engine.render(rest.input(), numbers);
             }
             assertThat(rest.samples()).isEqualTo(1);
-            assertThat(rest.frame().argb()).isEqualTo(NumberColors.pixels(Picture.BODY, numbers.radiance()));
+            assertThat(rest.frame().argb()).isEqualTo(NumberColors.pixels(StageOrView.BODY, numbers.radiance()));
         }
     }
 

@@ -2,10 +2,10 @@ package dev.twister.gui;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.files.AutosaveFolder;
+import dev.twister.gui.files.SettingsStore;
 import dev.twister.gui.files.ShippedFolders;
-import dev.twister.gui.model.AutosaveFolder;
-import dev.twister.gui.model.SettingsStore;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
@@ -40,8 +40,8 @@ import javafx.stage.Window;
 
 /** The window on JavaFX's headless screen, with a hand on its keyboard and mouse. */
 public final class WindowDriver implements AutoCloseable {
-    static final int WIDTH = 320;
-    static final int HEIGHT = 240;
+    public static final int WIDTH = 320;
+    public static final int HEIGHT = 240;
 
     /** As large as the screen. */
     private static final double LARGE = 1000;
@@ -64,9 +64,9 @@ public final class WindowDriver implements AutoCloseable {
     private static final AutosaveFolder NO_AUTOSAVES = new AutosaveFolder(Optional.empty());
 
     final Stage stage;
-    final Studio studio;
+    public final Studio studio;
     public final MainWindow window;
-    final Answers files = new Answers();
+    public final Answers files = new Answers();
     private final Robot robot;
     private volatile String notice = "";
 
@@ -118,7 +118,7 @@ public final class WindowDriver implements AutoCloseable {
         return open(WindowScenes.tiny(), BlockEngine.offer());
     }
 
-    static WindowDriver open(Scene scene, EngineOffer engine) {
+    public static WindowDriver open(Scene scene, EngineOffer engine) {
         return open(scene, engine, TextScale.USUAL);
     }
 
@@ -128,12 +128,12 @@ public final class WindowDriver implements AutoCloseable {
     }
 
     /** A window with a scene that has a file, and with unsaved edits kept there. */
-    static WindowDriver open(OpenedScene opened, AutosaveFolder autosaves) {
+    public static WindowDriver open(OpenedScene opened, AutosaveFolder autosaves) {
         return open(opened, new SettingsStore(Optional.empty()), autosaves);
     }
 
     /** The same, whose settings will be kept there. */
-    static WindowDriver open(OpenedScene opened, SettingsStore settings, AutosaveFolder autosaves) {
+    public static WindowDriver open(OpenedScene opened, SettingsStore settings, AutosaveFolder autosaves) {
         return open(() -> new WindowDriver(opened, BlockEngine.offer(), settings, FOUND, autosaves, TextScale.USUAL));
     }
 
@@ -142,7 +142,7 @@ public final class WindowDriver implements AutoCloseable {
     }
 
     /** A window with the settings that are kept there. */
-    static WindowDriver open(SettingsStore settings) {
+    public static WindowDriver open(SettingsStore settings) {
         return open(() -> new WindowDriver(
                 untitled(WindowScenes.tiny()),
                 BlockEngine.offer(),

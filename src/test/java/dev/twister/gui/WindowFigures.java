@@ -3,15 +3,15 @@ package dev.twister.gui;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
-import dev.twister.gui.drawing.DrawingStatus;
+import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.ResolutionMode;
+import dev.twister.gui.drawing.ResolutionMode;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.Frame;
 import dev.twister.scene.Scene;
-import dev.twister.world.CameraMotion;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Turn;
+import dev.twister.world.animation.CameraMotion;
+import dev.twister.world.animation.Turn;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadInfo;
 import java.lang.management.ThreadMXBean;
@@ -92,7 +92,7 @@ final class WindowFigures {
             driver.await(() -> Math.round(driver.pictureOnScreen().getHeight()) == HEIGHT);
             driver.run(() -> driver.studio.setResolution(size));
             driver.run(() -> driver.studio.refiningProperty().set(false));
-            driver.await(() -> driver.studio.drawingProperty().get().equals(DrawingStatus.QUIET));
+            driver.await(() -> driver.studio.drawingProperty().get().equals(DrawingLoop.Status.QUIET));
             driver.awaitPicture(picture -> picture.engine().equals(offer.id()) && picture.isWhole());
             if (moving) {
                 driver.run(() -> driver.window.onPulse((_, _) -> sway(driver.studio)));

@@ -2,7 +2,7 @@ package dev.twister.kernel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.world.SphereHierarchy;
+import dev.twister.world.hierarchy.SphereHierarchy;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 

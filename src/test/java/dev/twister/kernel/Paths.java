@@ -1,6 +1,6 @@
 package dev.twister.kernel;
 
-import dev.twister.world.SphereHierarchy;
+import dev.twister.world.hierarchy.SphereHierarchy;
 import java.util.Arrays;
 
 /** Creates path arrays for tests of single steps. */

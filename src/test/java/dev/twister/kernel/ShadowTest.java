@@ -3,7 +3,7 @@ package dev.twister.kernel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.twister.world.SphereHierarchy;
+import dev.twister.world.hierarchy.SphereHierarchy;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

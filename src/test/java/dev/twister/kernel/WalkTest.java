@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.world.RandomCrowds;
-import dev.twister.world.SphereHierarchy;
+import dev.twister.world.hierarchy.SphereHierarchy;
 import java.util.Random;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;

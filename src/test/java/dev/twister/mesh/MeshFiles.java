@@ -8,7 +8,7 @@ import java.util.Base64;
 import java.util.Locale;
 
 /** The same shape in every format: a box of 12 triangles with corners at 0 and (2, 1, 3), in Twister's axes. */
-final class MeshFiles {
+public final class MeshFiles {
     /** Corner coordinates in Twister's axes. */
     static final float[][] CORNERS = {
         {0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {0, 0, 3}, {2, 0, 3}, {2, 1, 3}, {0, 1, 3}
@@ -19,7 +19,7 @@ final class MeshFiles {
 
     private MeshFiles() {}
 
-    static int[][] triangles() {
+    public static int[][] triangles() {
         int[][] triangles = new int[12][];
         for (int i = 0; i < 6; i++) {
             int[] quad = QUADS[i];
@@ -119,16 +119,16 @@ final class MeshFiles {
     }
 
     /** A file with the buffer embedded in the text. */
-    static byte[] gltf() {
+    public static byte[] gltf() {
         return bytes(gltfText(",\"uri\":\"data:application/octet-stream;base64,"
                 + Base64.getEncoder().encodeToString(gltfBuffer()) + "\""));
     }
 
-    static byte[] glb() {
+    public static byte[] glb() {
         return glb(gltfText(""), gltfBuffer());
     }
 
-    static byte[] glb(String text, byte[] buffer) {
+    public static byte[] glb(String text, byte[] buffer) {
         byte[] json = bytes(text + " ".repeat((4 - bytes(text).length % 4) % 4));
         byte[] binary = joined(buffer, new byte[(4 - buffer.length % 4) % 4]);
         ByteBuffer file = ByteBuffer.allocate(28 + json.length + binary.length).order(ByteOrder.LITTLE_ENDIAN);

@@ -12,14 +12,14 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /** Reads files from bytes and describes their contents. */
-final class Reading {
+public final class Reading {
     private Reading() {}
 
-    static MeshFile read(Path folder, String name, byte[] content, double smoothDegrees) {
+    public static MeshFile read(Path folder, String name, byte[] content, double smoothDegrees) {
         return read(folder, name, content, smoothDegrees, new ArrayList<>());
     }
 
-    static MeshFile read(Path folder, String name, byte[] content, double smoothDegrees, List<String> warnings) {
+    public static MeshFile read(Path folder, String name, byte[] content, double smoothDegrees, List<String> warnings) {
         Path file = folder.resolve(name);
         try {
             Files.write(file, content);
@@ -29,12 +29,12 @@ final class Reading {
         return MeshReader.read(file, smoothDegrees, warnings::add);
     }
 
-    static MeshFile read(Path folder, String name, String content) {
+    public static MeshFile read(Path folder, String name, String content) {
         return read(folder, name, content.getBytes(StandardCharsets.UTF_8), 0);
     }
 
     /** Returns all placed triangles, each starting from its smallest corner. */
-    static Set<String> triangles(MeshFile file) {
+    public static Set<String> triangles(MeshFile file) {
         Set<String> triangles = new TreeSet<>();
         for (MeshPart part : file.parts()) {
             TriangleMesh mesh = file.meshes().get(part.mesh());

@@ -2,7 +2,7 @@ package dev.twister.oracle;
 
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneGenerator;
+import dev.twister.scene.generate.SceneGenerator;
 import dev.twister.sky.Skybox;
 import dev.twister.world.World;
 import java.nio.file.Path;

@@ -3,13 +3,13 @@ package dev.twister.oracle;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
 
 /**
  * Rounds a scene's numbers to floats. Engines receive floats; an oracle with a sphere at 0.1 instead of 0.10000000149

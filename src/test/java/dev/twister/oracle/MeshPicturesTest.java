@@ -10,7 +10,6 @@ import dev.twister.mesh.TriangleMesh;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;
@@ -19,10 +18,11 @@ import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
 import dev.twister.sky.Skybox;
-import dev.twister.world.Picture;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
+import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.IntFunction;
@@ -120,9 +120,9 @@ class MeshPicturesTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Picture.class)
-    void viewsAreTheOracles(Picture picture) {
-        if (picture == Picture.TESTS) {
+    @EnumSource(StageOrView.class)
+    void viewsAreTheOracles(StageOrView picture) {
+        if (picture == StageOrView.TESTS) {
             return;
         }
         Scene scene = scene().withSpheres(List.of(Sphere.of(new Vector3(1.5, -0.5, 0.5), 0.5, new Rgb(1, 1, 1), 20)))
@@ -142,8 +142,7 @@ class MeshPicturesTest {
         int odd = 0;
         for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
             Color expected = switch (picture) {
-                case HARD_SHADOWS, SOFT_SHADOWS, REFLECTIONS, BEAUTY ->
-                    Color.of(oracle.radiance(pixel % WIDTH, pixel / WIDTH));
+                case HARD_SHADOWS, SOFT_SHADOWS, BEAUTY -> Color.of(oracle.radiance(pixel % WIDTH, pixel / WIDTH));
                 default -> oracle.value(pixel % WIDTH, pixel / WIDTH, picture);
             };
             odd += Math.abs(actual[3 * pixel] - expected.red()) > 0.004 * Math.max(1, Math.abs(expected.red())) ? 1 : 0;

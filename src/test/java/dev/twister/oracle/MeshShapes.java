@@ -169,7 +169,7 @@ public final class MeshShapes {
             return count++;
         }
 
-        float[] positions() {
+        public float[] positions() {
             return Arrays.copyOf(positions, 3 * count);
         }
     }

@@ -3,9 +3,9 @@ package dev.twister.oracle;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.sky.Skybox;
-import dev.twister.world.Picture;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
+import dev.twister.world.StageOrView;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -66,7 +66,7 @@ public final class Oracle {
     }
 
     /** Returns the value of a stage without reflections, or of a view, with the scene's own shadows. */
-    Color value(int column, int row, Picture picture) {
+    Color value(int column, int row, StageOrView picture) {
         Color sum = Color.BLACK;
         for (ViewRay ray : viewRays(column, row, 0)) {
             sum = sum.plus(tracer.value(ray, picture));

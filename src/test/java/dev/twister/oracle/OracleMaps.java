@@ -1,9 +1,9 @@
 package dev.twister.oracle;
 
-import dev.twister.scene.Alpha;
-import dev.twister.scene.ImageMap;
-import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
+import dev.twister.scene.material.Alpha;
+import dev.twister.scene.material.ImageMap;
+import dev.twister.scene.material.Maps;
 import dev.twister.sky.FloatImages;
 import dev.twister.sky.Skybox;
 import dev.twister.world.SceneImages;

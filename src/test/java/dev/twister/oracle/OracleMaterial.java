@@ -1,8 +1,8 @@
 package dev.twister.oracle;
 
-import dev.twister.scene.Attenuation;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.material.Attenuation;
 import dev.twister.sky.FloatImages;
 import dev.twister.world.SceneImages;
 import java.util.Optional;

@@ -1,7 +1,7 @@
 package dev.twister.oracle;
 
-import dev.twister.scene.Sampler;
-import dev.twister.scene.Wrap;
+import dev.twister.scene.material.Sampler;
+import dev.twister.scene.material.Wrap;
 import dev.twister.sky.Skybox;
 
 /** A picture on a surface. */

@@ -11,9 +11,9 @@ import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
-import dev.twister.world.Picture;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
+import dev.twister.world.StageOrView;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.LongAdder;
@@ -128,10 +128,10 @@ final class OracleTracer {
 
     /** Returns the value of a view, or of a stage at the first hit. Not thread-safe, as it counts bounces. */
     @SuppressWarnings("ReferenceEquality") // compares identity of bodies
-    Color value(ViewRay viewRay, Picture picture) {
+    Color value(ViewRay viewRay, StageOrView picture) {
         Ray ray = viewRay.ray();
         Body body = closest(ray, null, false);
-        if (picture == Picture.BOUNCES) {
+        if (picture == StageOrView.BOUNCES) {
             long before = followed.sum();
             color(viewRay);
             return ALL.times((double) (followed.sum() - before));

@@ -1,10 +1,10 @@
 package dev.twister.oracle;
 
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;

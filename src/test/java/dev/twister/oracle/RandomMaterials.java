@@ -1,13 +1,13 @@
 package dev.twister.oracle;
 
 import dev.twister.scene.Camera;
-import dev.twister.scene.Emission;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.material.Emission;
 import dev.twister.sky.PackedImage;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.TextureImage;
@@ -64,7 +64,7 @@ public final class RandomMaterials {
                 new SceneImages(plain.sky(), textures));
     }
 
-    static Material material(Random random, Material plain) {
+    public static Material material(Random random, Material plain) {
         Material material = switch (random.nextInt(4)) {
             case 0 -> plain;
             case 1 -> glass(random, plain).withTransmission(1).withReflectivity(0);
@@ -139,7 +139,7 @@ public final class RandomMaterials {
     }
 
     /** Reduces the number of pixels where there are many spheres or triangles. */
-    static Rendering settings(Rendering plain, int spheres) {
+    public static Rendering settings(Rendering plain, int spheres) {
         int shadowSamples = Math.min(plain.shadowSamples(), 40);
         double branches = Math.min(1 << plain.bounces(), 60);
         double testsAPixel = plain.samplesPerPixel() * branches * (2 + spheres) * (shadowSamples + 1);

@@ -3,7 +3,6 @@ package dev.twister.oracle;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -11,6 +10,7 @@ import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
 import dev.twister.sky.Skybox;
 import java.nio.file.Path;
 import java.util.List;
@@ -144,7 +144,7 @@ public final class RandomScenes {
                 extremeOr(random, 0, 1, random.nextDouble()));
     }
 
-    static double between(Random random, double lowest, double highest) {
+    public static double between(Random random, double lowest, double highest) {
         return lowest + (highest - lowest) * random.nextDouble();
     }
 

@@ -6,7 +6,7 @@ import dev.twister.engine.JvmEngines;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import dev.twister.world.World;
 import java.util.List;
 import java.util.Random;
@@ -32,7 +32,7 @@ class StagesAndViewsTest {
     /** Mirrors of mirrors, a crowd, and a lens. */
     private static final List<String> MORE_SCENES = List.of("mirrors", "spheres-100", "bokeh");
 
-    private static final List<Picture> WITHOUT_EQUATION = List.of(Picture.TESTS);
+    private static final List<StageOrView> WITHOUT_EQUATION = List.of(StageOrView.TESTS);
 
     static Stream<Object[]> picturesOfScenes() {
         return picturesOf(SCENES);
@@ -45,33 +45,33 @@ class StagesAndViewsTest {
     private static Stream<Object[]> picturesOf(List<String> scenes) {
         return scenes.stream()
                 .filter(ShippedScenes.names()::contains)
-                .flatMap(scene -> Stream.of(Picture.values())
+                .flatMap(scene -> Stream.of(StageOrView.values())
                         .filter(picture -> !WITHOUT_EQUATION.contains(picture))
                         .map(picture -> new Object[] {scene, picture}));
     }
 
     @ParameterizedTest(name = "{1} of {0}")
     @MethodSource("picturesOfScenes")
-    void isTheOracles(String name, Picture picture) {
+    void isTheOracles(String name, StageOrView picture) {
         requireOracles(ShippedScenes.small(name), picture);
     }
 
     @Tag("slow")
     @ParameterizedTest(name = "{1} of {0}")
     @MethodSource("picturesOfMoreScenes")
-    void ofMoreScenesIsTheOracles(String name, Picture picture) {
+    void ofMoreScenesIsTheOracles(String name, StageOrView picture) {
         requireOracles(ShippedScenes.small(name), picture);
     }
 
     @ParameterizedTest
     @EnumSource(
-            value = Picture.class,
+            value = StageOrView.class,
             names = {"DIFFUSE", "HIGHLIGHTS", "SOFT_SHADOWS", "ALBEDO", "NORMAL", "BODY", "SHADOW", "BOUNCES"})
-    void ofSeveralLightsIsTheOracles(Picture picture) {
+    void ofSeveralLightsIsTheOracles(StageOrView picture) {
         requireOracles(RandomLights.added(ShippedScenes.small("benchmark"), new Random(20261126)), picture);
     }
 
-    private static void requireOracles(LitScene shipped, Picture picture) {
+    private static void requireOracles(LitScene shipped, StageOrView picture) {
         Rendering settings = shipped.scene().rendering();
         Scene scene = shipped.scene()
                 .withRendering(settings.withSize(160, 90)
@@ -90,12 +90,12 @@ class StagesAndViewsTest {
                     ? 0
                     : 1;
         }
-        int pixelsAnOddOne = picture == Picture.BOUNCES ? PIXELS_AN_ODD_COUNT : PIXELS_AN_ODD_ONE;
+        int pixelsAnOddOne = picture == StageOrView.BOUNCES ? PIXELS_AN_ODD_COUNT : PIXELS_AN_ODD_ONE;
         assertThat(odd * pixelsAnOddOne).isLessThanOrEqualTo(160 * 90);
     }
 
     /** A stage equals the picture of a reduced scene. */
-    private static Scene sceneOf(Picture picture, Scene scene) {
+    private static Scene sceneOf(StageOrView picture, Scene scene) {
         Rendering settings = scene.rendering();
         return switch (picture) {
             case HARD_SHADOWS -> scene.withRendering(settings.withBounces(0).withShadowSamples(1));
@@ -104,9 +104,9 @@ class StagesAndViewsTest {
         };
     }
 
-    private static Color value(Oracle oracle, Picture picture, int column, int row) {
+    private static Color value(Oracle oracle, StageOrView picture, int column, int row) {
         return switch (picture) {
-            case HARD_SHADOWS, SOFT_SHADOWS, REFLECTIONS, BEAUTY -> Color.of(oracle.radiance(column, row));
+            case HARD_SHADOWS, SOFT_SHADOWS, BEAUTY -> Color.of(oracle.radiance(column, row));
             default -> oracle.value(column, row, picture);
         };
     }

@@ -4,13 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Physics;
-import dev.twister.scene.Pour;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.generate.Pour;
+import dev.twister.scene.light.Lights;
 import dev.twister.world.SceneMeshes;
 import java.util.ArrayList;
 import java.util.HashSet;

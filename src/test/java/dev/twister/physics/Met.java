@@ -8,7 +8,7 @@ import dev.twister.world.SceneMeshes;
 import java.util.List;
 
 /** Bodies of a scene and one contact, whose impulses start at index 0. */
-record Met(BodyStore bodies, Surroundings surroundings, Meeting meeting) {
+record Met(BodyStore bodies, Surroundings surroundings, SolvedContact meeting) {
     /** One sub-step, in seconds. */
     static final double SUBSTEP = 1;
 
@@ -21,7 +21,7 @@ record Met(BodyStore bodies, Surroundings surroundings, Meeting meeting) {
         return new Met(
                 bodies,
                 surroundings,
-                new Meeting(new double[Contacts.IMPULSES], ContactRules.moving(surroundings, SUBSTEP)));
+                new SolvedContact(new double[Contacts.IMPULSES], ContactRules.moving(surroundings, SUBSTEP)));
     }
 
     /** Sets the meeting's bodies, by their numbers. */

@@ -28,7 +28,7 @@ class PileTest {
         spheres.forEach(sphere -> bodies.add(sphere.position(), sphere.radius()));
         try (Team team = new Team(1)) {
             ContactSearch search = new ContactSearch(bodies, Surroundings.of(scene, MeshCollider.EMPTY), team, 1, 1);
-            search.search(new Survey(bodies, team, 1).reach(0.05, 4, 0.001), false);
+            search.search(new BodyPasses(bodies, team, 1).reach(0.05, 4, 0.001), false);
             int contacts = 0;
             for (int list = 0; list < search.lists(); list++) {
                 contacts += search.contacts(list).count;

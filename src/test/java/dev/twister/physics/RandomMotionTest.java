@@ -87,7 +87,7 @@ class RandomMotionTest {
         }
         try (Team team = new Team(1)) {
             ContactSearch search = new ContactSearch(bodies, Surroundings.of(scene, MeshCollider.EMPTY), team, 1, 0.05);
-            search.search(new Survey(bodies, team, 1).reach(0.1, 4, 0.001), false);
+            search.search(new BodyPasses(bodies, team, 1).reach(0.1, 4, 0.001), false);
             List<String> found = new ArrayList<>();
             collect(search.giantsContacts(), found);
             for (int row = 0; row < search.columns().rows(); row++) {

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.scene.Physics;
-import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.generate.Pour;
 import dev.twister.world.SceneMeshes;
 import java.util.ArrayList;
 import java.util.List;

@@ -3,8 +3,8 @@ package dev.twister.physics;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.format.SceneReader;
+import dev.twister.scene.generate.SceneGenerator;
 import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.util.Arrays;

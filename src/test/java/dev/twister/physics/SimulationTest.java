@@ -3,10 +3,10 @@ package dev.twister.physics;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Physics;
-import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.generate.Pour;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Positions;

@@ -2,6 +2,16 @@ package dev.twister.scene;
 
 import dev.twister.mesh.MeshFile;
 import dev.twister.oracle.MeshShapes;
+import dev.twister.scene.generate.Palette;
+import dev.twister.scene.generate.Pour;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.material.Alpha;
+import dev.twister.scene.material.Attenuation;
+import dev.twister.scene.material.Emission;
+import dev.twister.scene.material.Maps;
+import dev.twister.scene.select.SceneBodies;
+import dev.twister.scene.select.Tag;
+import dev.twister.scene.select.Title;
 import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;

@@ -2,6 +2,7 @@ package dev.twister.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.scene.property.Range;
 import org.junit.jupiter.api.Test;
 
 class Vector3Test {

@@ -4,6 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.sky.daylight.Color;
+import dev.twister.sky.daylight.Direction;
+import dev.twister.sky.daylight.Equirectangular;
+import dev.twister.sky.daylight.PreethamSky;
+import dev.twister.sky.daylight.Sun;
+import dev.twister.sky.daylight.SunDisc;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;

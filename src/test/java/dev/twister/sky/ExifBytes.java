@@ -4,10 +4,10 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /** Creates EXIF data with an orientation alone. */
-final class ExifBytes {
+public final class ExifBytes {
     private ExifBytes() {}
 
-    static byte[] tiff(boolean littleEndian, int orientation) {
+    public static byte[] tiff(boolean littleEndian, int orientation) {
         ByteBuffer tiff = ByteBuffer.allocate(38).order(littleEndian ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
         tiff.put((byte) (littleEndian ? 'I' : 'M')).put((byte) (littleEndian ? 'I' : 'M'));
         tiff.putShort((short) 42).putInt(8).putShort((short) 2);

@@ -12,12 +12,12 @@ import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Creates JPEG files and inserts segments. */
-final class JpegBytes {
+public final class JpegBytes {
     private static final int SOI_BYTES = 2;
 
     private JpegBytes() {}
 
-    static byte[] of(BufferedImage image, boolean progressive) {
+    public static byte[] of(BufferedImage image, boolean progressive) {
         ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
@@ -36,7 +36,7 @@ final class JpegBytes {
     }
 
     /** An image of one color. */
-    static BufferedImage image(int width, int height, int type, int rgb) {
+    public static BufferedImage image(int width, int height, int type, int rgb) {
         BufferedImage image = new BufferedImage(width, height, type);
         for (int i = 0; i < width * height; i++) {
             if (type == BufferedImage.TYPE_BYTE_GRAY) {
@@ -49,7 +49,7 @@ final class JpegBytes {
     }
 
     /** Inserts a segment at the start of a file. */
-    static byte[] with(byte[] file, int marker, byte[] payload) {
+    public static byte[] with(byte[] file, int marker, byte[] payload) {
         byte[] segment = new byte[4 + payload.length];
         segment[0] = (byte) 0xff;
         segment[1] = (byte) marker;
@@ -60,13 +60,13 @@ final class JpegBytes {
     }
 
     /** Adds a part of a color profile to a file. */
-    static byte[] withProfile(byte[] file, int number, int count, byte[] piece) {
+    public static byte[] withProfile(byte[] file, int number, int count, byte[] piece) {
         byte[] head = joined(ascii("ICC_PROFILE\0"), new byte[] {(byte) number, (byte) count});
         return with(file, 0xe2, joined(head, piece));
     }
 
     /** Inserts EXIF data before all other segments. */
-    static byte[] withExif(byte[] file, byte[] tiff) {
+    public static byte[] withExif(byte[] file, byte[] tiff) {
         return with(file, 0xe1, joined(ascii("Exif\0\0"), tiff));
     }
 
@@ -74,13 +74,13 @@ final class JpegBytes {
         return joined(joined(Arrays.copyOf(file, at), piece), Arrays.copyOfRange(file, at, file.length));
     }
 
-    static byte[] joined(byte[] one, byte[] other) {
+    public static byte[] joined(byte[] one, byte[] other) {
         byte[] all = Arrays.copyOf(one, one.length + other.length);
         System.arraycopy(other, 0, all, one.length, other.length);
         return all;
     }
 
-    static byte[] ascii(String text) {
+    public static byte[] ascii(String text) {
         return text.getBytes(StandardCharsets.US_ASCII);
     }
 }

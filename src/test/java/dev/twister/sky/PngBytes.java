@@ -32,11 +32,11 @@ public final class PngBytes {
         return png.chunk("IHDR", header);
     }
 
-    PngBytes chunk(String type, int... bytes) {
+    public PngBytes chunk(String type, int... bytes) {
         return chunk(type, bytes(bytes));
     }
 
-    PngBytes chunk(String type, byte[] data) {
+    public PngBytes chunk(String type, byte[] data) {
         return chunk(type, data, 0);
     }
 
@@ -46,12 +46,12 @@ public final class PngBytes {
     }
 
     /** A gAMA chunk; the parameter is in 100,000ths. */
-    PngBytes gamma(int value) {
+    public PngBytes gamma(int value) {
         return chunk("gAMA", ByteBuffer.allocate(4).putInt(value).array());
     }
 
     /** A cHRM chunk: white, red, green and blue, in 100,000ths. */
-    PngBytes chromaticities(int... xy) {
+    public PngBytes chromaticities(int... xy) {
         ByteBuffer data = ByteBuffer.allocate(4 * xy.length);
         for (int value : xy) {
             data.putInt(value);
@@ -60,7 +60,7 @@ public final class PngBytes {
     }
 
     /** An iCCP chunk. */
-    PngBytes profile(byte[] profile) {
+    public PngBytes profile(byte[] profile) {
         ByteArrayOutputStream data = new ByteArrayOutputStream();
         data.writeBytes(new byte[] {'p', 0, 0});
         data.writeBytes(deflated(profile));
@@ -72,18 +72,18 @@ public final class PngBytes {
         return texels(bytes(row));
     }
 
-    byte[] texels(byte[] row) {
+    public byte[] texels(byte[] row) {
         byte[] filtered = new byte[row.length + 1];
         System.arraycopy(row, 0, filtered, 1, row.length);
         chunk("IDAT", deflated(filtered));
         return end();
     }
 
-    byte[] end() {
+    public byte[] end() {
         return chunk("IEND").file.toByteArray();
     }
 
-    static byte[] deflated(byte[] data) {
+    public static byte[] deflated(byte[] data) {
         try (Deflater deflater = new Deflater()) {
             deflater.setInput(data);
             deflater.finish();

@@ -4,8 +4,8 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 
 /** Creates Radiance files in every coding and orientation, simply and without regard to size. */
-final class RadianceFiles {
-    enum Coding {
+public final class RadianceFiles {
+    public enum Coding {
         FLAT,
         OLD_RUNS,
         NEW_RUNS
@@ -19,7 +19,7 @@ final class RadianceFiles {
      * @param rgbe four bytes per texel, in row-major order from the top left
      * @param orientation for example "-Y +X"
      */
-    static byte[] file(String header, String orientation, int width, int height, byte[] rgbe, Coding coding) {
+    public static byte[] file(String header, String orientation, int width, int height, byte[] rgbe, Coding coding) {
         boolean byColumns = orientation.charAt(1) == 'X';
         int slow = byColumns ? width : height;
         int fast = byColumns ? height : width;
@@ -46,7 +46,7 @@ final class RadianceFiles {
         return out.toByteArray();
     }
 
-    static byte[] ascii(String text) {
+    public static byte[] ascii(String text) {
         return text.getBytes(StandardCharsets.US_ASCII);
     }
 

@@ -8,6 +8,8 @@ import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrWriter;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
+import dev.twister.sky.image.CurveEncoding;
+import dev.twister.sky.image.FileBytes;
 import java.awt.Transparency;
 import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;

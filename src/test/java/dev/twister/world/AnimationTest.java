@@ -3,7 +3,6 @@ package dev.twister.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.twister.scene.AnimatedProperty;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Easing;
@@ -15,6 +14,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.AnimatedProperty;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;

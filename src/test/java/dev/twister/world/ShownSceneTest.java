@@ -4,16 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.FullScene;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneChanges;
-import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.TexturePlaces;
+import dev.twister.scene.generate.SceneGenerator;
+import dev.twister.scene.light.Lights;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.TextureImage;
 import java.nio.file.Path;

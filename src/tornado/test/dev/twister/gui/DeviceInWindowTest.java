@@ -8,8 +8,8 @@ import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.light.Lights;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 

@@ -30,9 +30,9 @@ import dev.twister.engine.vector.step.TransmittingSurface;
 
 /** Renders one bounce of a tile's rays: closest hits, surfaces, shadows, shading and secondary rays. */
 final class BounceRenderer {
-    private final TileBench bench;
+    private final TileMemory bench;
 
-    BounceRenderer(TileBench bench) {
+    BounceRenderer(TileMemory bench) {
         this.bench = bench;
     }
 

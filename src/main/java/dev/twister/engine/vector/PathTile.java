@@ -13,7 +13,7 @@ import java.util.Arrays;
  * the scalar kernel does everything else.
  */
 final class PathTile {
-    private final TileBench bench;
+    private final TileMemory bench;
     private final BounceRenderer bounces;
 
     /** One per pixel of the tile; none before the first frame that traces paths. */
@@ -25,7 +25,7 @@ final class PathTile {
     private int count;
 
     /** Shares the tile and the hits of the same thread. */
-    PathTile(TileBench bench, BounceRenderer bounces) {
+    PathTile(TileMemory bench, BounceRenderer bounces) {
         this.bench = bench;
         this.bounces = bounces;
     }

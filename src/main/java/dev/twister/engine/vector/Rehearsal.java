@@ -1,6 +1,8 @@
 package dev.twister.engine.vector;
 
-/** Renders frames in one of the two {@link Ways} beforehand, until the JIT compiler has compiled the code. */
+/**
+ * Renders frames in one of the two {@link HierarchyChoice} beforehand, until the JIT compiler has compiled the code.
+ */
 interface Rehearsal extends AutoCloseable {
     /** Starts a rehearsal. */
     @FunctionalInterface

@@ -3,9 +3,9 @@ package dev.twister.engine.vector;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.shadow.Shadows;
-import dev.twister.engine.vector.shortcut.Choices;
 import dev.twister.engine.vector.shortcut.GroundAlone;
 import dev.twister.engine.vector.shortcut.OpenGround;
+import dev.twister.engine.vector.shortcut.TileShortcuts;
 import dev.twister.engine.vector.step.BranchLanes;
 import dev.twister.engine.vector.step.CameraLanes;
 import dev.twister.engine.vector.step.GroundSurface;
@@ -15,7 +15,7 @@ import dev.twister.engine.vector.step.TileOutput;
 
 /** Renders tiles step by step. Each thread has its own instance. */
 final class TileRenderer {
-    private final TileBench bench = new TileBench();
+    private final TileMemory bench = new TileMemory();
     private final Tile tile = bench.tile;
     private final BounceRenderer bounces = new BounceRenderer(bench);
     private final PathTile paths = new PathTile(bench, bounces);
@@ -48,7 +48,7 @@ final class TileRenderer {
             return;
         }
         bench.wholeTiles.rehearse(drawing);
-        Choices.Way way = bench.choices.choose(tile, drawing);
+        TileShortcuts.Way way = bench.choices.choose(tile, drawing);
         switch (way) {
             case SKY -> TileOutput.finish(drawing, bench.wholeTiles.addSky(tile, drawing));
             case OPEN_GROUND -> TileOutput.finish(drawing, bench.wholeTiles.addOpenGround(tile, drawing));
@@ -56,7 +56,7 @@ final class TileRenderer {
         }
     }
 
-    private void drawSamples(Drawing drawing, Choices.Way way) {
+    private void drawSamples(Drawing drawing, TileShortcuts.Way way) {
         CameraLanes.listInside(tile, drawing);
         CameraLanes.blacken(tile);
         for (int sample = 0; sample < drawing.pixelSamples && !drawing.stop.isAsked(); sample++) {
@@ -66,7 +66,7 @@ final class TileRenderer {
                 case GROUND -> shadeGround(drawing);
                 default -> CameraLanes.startRays(drawing, tile);
             }
-            follow(drawing, way == Choices.Way.ANY ? 0 : 1);
+            follow(drawing, way == TileShortcuts.Way.ANY ? 0 : 1);
         }
         if (!drawing.stop.isAsked()) {
             TileOutput.finish(drawing, tile);

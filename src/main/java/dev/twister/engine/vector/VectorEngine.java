@@ -23,7 +23,7 @@ final class VectorEngine implements Engine {
     private static final int LEAST_TILES_A_TURN = 4;
 
     private final int threads;
-    private final Ways ways;
+    private final HierarchyChoice ways;
     private final TileRenderer[] renderers;
     private final Drawing drawing;
     private final Turns turns;
@@ -41,7 +41,7 @@ final class VectorEngine implements Engine {
      * @param ways closed together with the engine
      * @param drawing holds the state of the current frame
      */
-    VectorEngine(int threads, Ways ways, Drawing drawing) {
+    VectorEngine(int threads, HierarchyChoice ways, Drawing drawing) {
         this.drawing = drawing;
         this.threads = threads;
         this.ways = ways;

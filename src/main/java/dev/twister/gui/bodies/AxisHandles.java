@@ -1,14 +1,14 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.Axis;
-import dev.twister.gui.model.AxisHandle;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyExtent;
-import dev.twister.gui.model.Projection;
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyExtent;
+import dev.twister.gui.picking.AxisHandle;
+import dev.twister.gui.picking.Projection;
 import dev.twister.gui.picture.PathPick;
-import dev.twister.gui.picture.PicturePlace;
 import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.picture.PictureView.PicturePlace;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;

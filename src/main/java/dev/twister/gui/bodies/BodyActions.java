@@ -1,58 +1,57 @@
 package dev.twister.gui.bodies;
 
-import dev.twister.gui.controls.Problems;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyGroup;
-import dev.twister.gui.model.DroppedBodies;
-import dev.twister.gui.model.NewLight;
-import dev.twister.gui.model.NewMesh;
-import dev.twister.gui.model.NewSphere;
-import dev.twister.gui.model.Orbit;
-import dev.twister.gui.model.SelectedBodies;
-import dev.twister.gui.model.TagEdits;
-import dev.twister.gui.model.ThrownSpheres;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.controls.Dialogs;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.SelectedBodies;
+import dev.twister.gui.edit.TagEdits;
+import dev.twister.gui.edit.ThrownSpheres;
+import dev.twister.gui.picking.NewBodies;
+import dev.twister.gui.studio.BackgroundTasks;
+import dev.twister.gui.studio.Orbit;
 import dev.twister.gui.studio.Selection;
 import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Body;
 import dev.twister.scene.Light;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.scene.property.SceneLimits;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** The menu's actions on bodies. */
 public final class BodyActions {
     public static final String UNDELETED_LIGHT = "The last light can't be deleted; a scene has at least one";
 
     private final Studio studio;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
     private Optional<BodyGroup> copied = Optional.empty();
 
-    public BodyActions(Studio studio, Errands errands) {
+    public BodyActions(Studio studio, BackgroundTasks tasks) {
         this.studio = studio;
-        this.errands = errands;
+        this.tasks = tasks;
     }
 
     public void insert() {
         studio.pictureProperty().get().ifPresent(shown -> {
-            Sphere sphere = NewSphere.inFrontOf(shown.input(), studio.bodies().scene(), shown.meshes());
+            Sphere sphere = NewBodies.sphere(shown.input(), studio.bodies().scene(), shown.meshes());
             studio.insert("insert sphere", List.of(sphere), List.of());
         });
     }
 
     public void insert(Shape.Kind kind) {
         studio.pictureProperty().get().ifPresent(shown -> {
-            Mesh mesh = NewMesh.inFrontOf(shown.input(), studio.bodies().scene(), shown.meshes(), kind);
+            Mesh mesh = NewBodies.mesh(shown.input(), studio.bodies().scene(), shown.meshes(), kind);
             studio.insert("insert " + mesh.geometry().name(), List.of(mesh), List.of());
         });
     }
 
     public void insertLight() {
         studio.pictureProperty().get().filter(_ -> hasRoomFor(1)).ifPresent(shown -> {
-            Light light = NewLight.over(shown.input(), studio.bodies().scene(), shown.meshes());
+            Light light = NewBodies.light(shown.input(), studio.bodies().scene(), shown.meshes());
             studio.insert("insert light", List.of(), List.of(light));
         });
     }
@@ -90,7 +89,7 @@ public final class BodyActions {
         } else {
             studio.edit(
                     "drop to the ground",
-                    scene -> DroppedBodies.of(scene, studio.bodies().meshes(), selected.bodies()));
+                    scene -> BodyEdits.onGround(scene, studio.bodies().meshes(), selected.bodies()));
             studio.endGesture();
         }
     }
@@ -165,14 +164,14 @@ public final class BodyActions {
     public void randomize() {
         Scene before = studio.scene();
         long number = studio.document().number();
-        errands.run(
+        tasks.run(
                 () -> ThrownSpheres.of(before, System.nanoTime()),
                 thrown -> {
                     if (studio.document().number() == number) {
                         place(thrown);
                     }
                 },
-                problem -> studio.notice(Problems.explain(problem)));
+                problem -> studio.notice(Dialogs.explain(problem)));
     }
 
     private void place(Scene thrown) {
@@ -181,6 +180,53 @@ public final class BodyActions {
             studio.endGesture();
         } else {
             randomize();
+        }
+    }
+
+    /**
+     * Spheres, meshes and lights that are copied together.
+     *
+     * @param bodies spheres and meshes
+     * @param apart so far to the right, in meters, another group like it does not touch it
+     */
+    public record BodyGroup(List<Body> bodies, List<Light> lights, double apart) {
+        public BodyGroup {
+            bodies = List.copyOf(bodies);
+            lights = List.copyOf(lights);
+        }
+
+        public int count() {
+            return bodies.size() + lights.size();
+        }
+
+        /** What they are called in a sentence, such as {@code sphere} or {@code 3 bodies}. */
+        public String kind() {
+            if (count() > 1) {
+                return count() + " bodies";
+            }
+            return bodies.isEmpty() ? "light" : bodies.getFirst().kind();
+        }
+
+        /** The same to the right, or as far as the scene has room for all of them. */
+        public BodyGroup beside() {
+            double right = Stream.concat(
+                            bodies.stream().map(Body::position), lights.stream().map(Light::position))
+                    .mapToDouble(Vector3::x)
+                    .max()
+                    .orElseThrow();
+            Vector3 way = new Vector3(Math.min(apart, SceneLimits.POSITION.max() - right), 0, 0);
+            return new BodyGroup(
+                    bodies.stream()
+                            .map(body -> body.withPosition(moved(body.position(), way)))
+                            .toList(),
+                    lights.stream()
+                            .map(light -> light.withPosition(moved(light.position(), way)))
+                            .toList(),
+                    apart);
+        }
+
+        private static Vector3 moved(Vector3 place, Vector3 way) {
+            return SceneLimits.POSITION.clamp(place.plus(way));
         }
     }
 }

@@ -2,18 +2,17 @@ package dev.twister.gui.bodies;
 
 import dev.twister.gui.camera.CameraMouse;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.Axis;
-import dev.twister.gui.model.BodyChoices;
-import dev.twister.gui.model.BodyDrag;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.BodyPicker;
-import dev.twister.gui.model.CameraNumbers;
-import dev.twister.gui.model.FocusPoint;
-import dev.twister.gui.model.HeldBodies;
-import dev.twister.gui.model.TagEdits;
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.BodyTitles;
+import dev.twister.gui.edit.DraggedBodies;
+import dev.twister.gui.edit.TagEdits;
+import dev.twister.gui.picking.BodyDrag;
+import dev.twister.gui.picking.PointerRay;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.property.CameraNumbers;
 import dev.twister.gui.studio.StatusText;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Vector3;
@@ -44,7 +43,7 @@ public final class BodyMouse {
     private final ReadOnlyObjectWrapper<Optional<Axis>> axis = new ReadOnlyObjectWrapper<>(Optional.empty());
 
     /** The drag of the active body and of the bodies that move with it. */
-    private record Held(BodyDrag drag, HeldBodies bodies, Optional<SurfaceRest> rest) {}
+    private record Held(BodyDrag drag, DraggedBodies bodies, Optional<SurfaceRest> rest) {}
 
     /** The pointer of the drag, in pixels of the view. */
     private Point2D draggedTo = Point2D.ZERO;
@@ -127,8 +126,8 @@ public final class BodyMouse {
     /** Starts a drag of the selected bodies. */
     private void take(MouseEvent event) {
         DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
-        HeldBodies bodies =
-                new HeldBodies(studio.bodies().scene(), studio.selection().bodies());
+        DraggedBodies bodies =
+                new DraggedBodies(studio.bodies().scene(), studio.selection().bodies());
         Point2D place = place(event);
         draggedTo = new Point2D(event.getX(), event.getY());
         held = Optional.of(new Held(
@@ -258,7 +257,7 @@ public final class BodyMouse {
     private boolean isUnlocked(int body) {
         boolean locked = TagEdits.of(studio.scene(), body).locked();
         if (locked) {
-            studio.notice(BodyChoices.title(studio.scene(), body) + " is locked; select it in the list of bodies");
+            studio.notice(BodyTitles.title(studio.scene(), body) + " is locked; select it in the list of bodies");
         }
         return !locked;
     }
@@ -293,7 +292,7 @@ public final class BodyMouse {
                     Point2D place = place(event);
                     double meters = CameraNumbers.FOCUS_DISTANCE
                             .scale()
-                            .rounded(FocusPoint.distance(picture.input(), place.getX(), place.getY()));
+                            .rounded(PointerRay.focusDistance(picture.input(), place.getX(), place.getY()));
                     studio.edit(
                             "focus distance",
                             scene -> scene.withCamera(scene.camera().withFocusDistance(meters)));
@@ -318,7 +317,7 @@ public final class BodyMouse {
                 .filter(_ -> view.place().contains(event.getX(), event.getY()))
                 .map(picture -> {
                     Point2D place = place(event);
-                    return picture.sceneBody(BodyPicker.bodyAt(picture.input(), place.getX(), place.getY()));
+                    return picture.sceneBody(PointerRay.bodyAt(picture.input(), place.getX(), place.getY()));
                 })
                 .flatMap(body -> studio.picturedBodies().map(bodies -> bodies.inScene(body)));
     }

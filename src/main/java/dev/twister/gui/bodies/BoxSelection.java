@@ -1,12 +1,17 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.BoxChoice;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.picking.Projection;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import dev.twister.world.FrameInput;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import javafx.geometry.Point2D;
 import javafx.scene.Cursor;
 import javafx.scene.Node;
@@ -103,12 +108,43 @@ public final class BoxSelection extends Pane {
         Point2D end = view.place().toPicture(to.getX(), to.getY());
         List<Integer> chosen =
                 new ArrayList<>(more ? studio.selection().bodies().bodies() : List.of());
-        chosen.addAll(BoxChoice.between(start.getX(), start.getY(), end.getX(), end.getY())
+        chosen.addAll(Box.between(start.getX(), start.getY(), end.getX(), end.getY())
                 .bodies(
                         studio.scene(),
                         picture.input(),
                         body -> studio.bodies().extent(body).middle()));
         studio.selection().select(chosen);
         studio.notice(studio.selection().bodies().count() + " bodies selected");
+    }
+
+    /**
+     * A box in a picture, which selects the bodies whose middle is in it.
+     *
+     * @param left in pixels
+     * @param top in pixels
+     * @param right in pixels, at least the left
+     * @param bottom in pixels, at least the top
+     */
+    public record Box(double left, double top, double right, double bottom) {
+        /** The box between two corners. */
+        public static Box between(double x, double y, double otherX, double otherY) {
+            return new Box(Math.min(x, otherX), Math.min(y, otherY), Math.max(x, otherX), Math.max(y, otherY));
+        }
+
+        /**
+         * The movable bodies in the box.
+         *
+         * @param middle of a body
+         */
+        public List<Integer> bodies(Scene scene, FrameInput input, Function<Integer, Vector3> middle) {
+            Projection projection = Projection.of(input);
+            return BodyEdits.movable(scene).stream()
+                    .filter(body -> contains(projection.point(middle.apply(body))))
+                    .toList();
+        }
+
+        private boolean contains(double[] pixel) {
+            return pixel.length == 2 && pixel[0] >= left && pixel[0] <= right && pixel[1] >= top && pixel[1] <= bottom;
+        }
     }
 }

@@ -1,10 +1,10 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.bodies.TransformHandles.Handle;
-import dev.twister.gui.model.BodyTransform;
-import dev.twister.gui.model.BodyTransform.Mode;
-import dev.twister.gui.model.Projection;
-import dev.twister.gui.model.RotationRing;
+import dev.twister.gui.edit.BodyTransform;
+import dev.twister.gui.edit.BodyTransform.Mode;
+import dev.twister.gui.picking.Projection;
+import dev.twister.gui.picking.RotationRing;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;

@@ -1,15 +1,14 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.Axis;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.MeshOutline;
-import dev.twister.gui.model.Projection;
-import dev.twister.gui.model.SelectedBodies;
-import dev.twister.gui.model.SphereOutline;
-import dev.twister.gui.picture.PicturePlace;
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.SelectedBodies;
+import dev.twister.gui.picking.BodyOutline;
+import dev.twister.gui.picking.Projection;
 import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.picture.PictureView.PicturePlace;
 import dev.twister.gui.studio.PictureBodies;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Mesh;
@@ -22,6 +21,7 @@ import javafx.geometry.Point2D;
 import javafx.scene.Group;
 import javafx.scene.layout.Pane;
 import javafx.scene.shape.Line;
+import javafx.scene.shape.Polygon;
 import javafx.scene.shape.Rectangle;
 
 /** Draws the outlines of the selected bodies over the picture; the active one's is different. */
@@ -153,18 +153,45 @@ public final class SelectionView extends Pane {
         if (BodyEdits.isMesh(scene, body)) {
             Mesh mesh = BodyEdits.mesh(scene, body);
             return picture.meshes().holds(mesh)
-                    ? MeshOutline.corners(picture.input(), picture.meshes().farPoints(mesh))
+                    ? BodyOutline.ofMesh(picture.input(), picture.meshes().farPoints(mesh))
                     : new double[0];
         }
         if (BodyEdits.isLight(scene, body)) {
             int light = BodyNumber.light(body);
-            return SphereOutline.corners(picture.input(), picture.input().light(light), count);
+            return BodyOutline.ofSphere(picture.input(), picture.input().light(light), count);
         }
         // Nothing or the plane is selected, or the picture is older than the body.
         return body == BodyNumber.NONE
                         || body == BodyNumber.PLANE
                         || body >= picture.input().bodyCount()
                 ? new double[0]
-                : SphereOutline.corners(picture.input(), body, count);
+                : BodyOutline.ofSphere(picture.input(), body, count);
+    }
+
+    /** The outline of a body, readable over any picture. */
+    private static final class Outline extends Group {
+        private final Polygon shade = new Polygon();
+        private final Polygon line = new Polygon();
+
+        Outline(String... styles) {
+            setManaged(false);
+            shade.getStyleClass().addAll("outline", "outline-shade");
+            line.getStyleClass().add("outline");
+            line.getStyleClass().addAll(styles);
+            getChildren().addAll(shade, line);
+        }
+
+        Polygon line() {
+            return line;
+        }
+
+        /** Sets the corners: x and y of each in turn. */
+        void show(List<Double> points) {
+            // Setting the same points would make JavaFX paint again.
+            if (!line.getPoints().equals(points)) {
+                line.getPoints().setAll(points);
+                shade.getPoints().setAll(points);
+            }
+        }
     }
 }

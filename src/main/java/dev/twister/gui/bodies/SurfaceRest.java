@@ -1,10 +1,10 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.RestingBody;
-import dev.twister.gui.model.SelectedBodies;
-import dev.twister.gui.model.SurfacePoint;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.SelectedBodies;
+import dev.twister.gui.picking.SurfacePoint;
+import dev.twister.gui.picking.SurfacePoint.RestingBody;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Vector3;
 import java.util.Optional;

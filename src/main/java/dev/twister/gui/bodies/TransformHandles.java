@@ -1,14 +1,14 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.Axis;
-import dev.twister.gui.model.AxisHandle;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyTransform.Mode;
-import dev.twister.gui.model.Projection;
-import dev.twister.gui.model.RotationRing;
-import dev.twister.gui.picture.PicturePlace;
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyTransform.Mode;
+import dev.twister.gui.picking.AxisHandle;
+import dev.twister.gui.picking.Projection;
+import dev.twister.gui.picking.RotationRing;
 import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.picture.PictureView.PicturePlace;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Vector3;
 import java.util.Comparator;

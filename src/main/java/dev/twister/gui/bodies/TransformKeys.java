@@ -1,11 +1,11 @@
 package dev.twister.gui.bodies;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.Axis;
-import dev.twister.gui.model.BodyDrag;
-import dev.twister.gui.model.BodyTransform;
-import dev.twister.gui.model.BodyTransform.Mode;
-import dev.twister.gui.model.Projection;
+import dev.twister.gui.edit.Axis;
+import dev.twister.gui.edit.BodyTransform;
+import dev.twister.gui.edit.BodyTransform.Mode;
+import dev.twister.gui.picking.BodyDrag;
+import dev.twister.gui.picking.Projection;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.Studio;
 import dev.twister.kernel.Layout;

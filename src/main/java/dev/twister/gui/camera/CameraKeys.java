@@ -82,13 +82,13 @@ public final class CameraKeys {
         }
         int digit = digit(event.getCode());
         if (digit >= 0 && event.isShortcutDown()) {
-            studio.hand().keepView(digit);
+            studio.cameraControl().keepView(digit);
         } else if (digit >= 0) {
-            studio.hand().recallView(digit);
+            studio.cameraControl().recallView(digit);
         } else if (event.isShortcutDown()) {
             return;
         } else if (event.getCode() == KeyCode.HOME) {
-            studio.hand().goHome();
+            studio.cameraControl().goHome();
         } else if (held.press(event.getCode())) {
             move();
         } else {
@@ -98,8 +98,8 @@ public final class CameraKeys {
     }
 
     private void move() {
-        studio.hand().setWalk(held.walk());
-        studio.hand().setTurn(held.turn());
+        studio.cameraControl().setWalk(held.walk());
+        studio.cameraControl().setTurn(held.turn());
     }
 
     private static boolean isText(EventTarget target) {

@@ -1,8 +1,8 @@
 package dev.twister.gui.camera;
 
-import dev.twister.gui.model.CameraNumbers;
+import dev.twister.gui.property.CameraNumbers;
 import dev.twister.gui.studio.Studio;
-import dev.twister.world.CameraMotion;
+import dev.twister.world.animation.CameraMotion;
 import java.util.Locale;
 import java.util.Optional;
 import javafx.animation.PauseTransition;

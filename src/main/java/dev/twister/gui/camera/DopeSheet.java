@@ -1,9 +1,9 @@
 package dev.twister.gui.camera;
 
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.KeyMark;
-import dev.twister.gui.model.TrackEdits;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.TrackEdits;
+import dev.twister.gui.edit.TrackEdits.KeyMark;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import dev.twister.scene.TrackTarget;

@@ -1,7 +1,7 @@
 package dev.twister.gui.camera;
 
-import dev.twister.world.Turn;
-import dev.twister.world.Walk;
+import dev.twister.world.animation.Turn;
+import dev.twister.world.animation.Walk;
 import java.util.EnumSet;
 import java.util.Set;
 import javafx.scene.input.KeyCode;

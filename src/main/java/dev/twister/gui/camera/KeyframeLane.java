@@ -1,10 +1,10 @@
 package dev.twister.gui.camera;
 
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.model.KeyMark;
-import dev.twister.gui.model.KeyframeEdits;
-import dev.twister.gui.model.TrackEdits;
-import dev.twister.gui.model.TrackTitles;
+import dev.twister.gui.edit.BodyTitles;
+import dev.twister.gui.edit.KeyframeEdits;
+import dev.twister.gui.edit.TrackEdits;
+import dev.twister.gui.edit.TrackEdits.KeyMark;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Easing;
 import dev.twister.scene.Keyframe;
@@ -98,7 +98,7 @@ final class KeyframeLane extends Pane {
     void follow(Scene scene) {
         shown = scene;
         times = TrackEdits.times(scene, target);
-        title.set(TrackTitles.of(scene, target) + (TrackEdits.isLooped(scene, target) ? " (loops)" : ""));
+        title.set(BodyTitles.of(scene, target) + (TrackEdits.isLooped(scene, target) ? " (loops)" : ""));
         setAccessibleText("Keyframes of " + title.get() + " at "
                 + times.stream().map(KeyframeEdits::text).collect(Collectors.joining(", ")) + " s");
         draw();
@@ -257,7 +257,7 @@ final class KeyframeLane extends Pane {
     private ContextMenu menu() {
         ContextMenu menu = new ContextMenu();
         for (Easing easing : Easing.values()) {
-            menu.getItems().add(item(TrackTitles.property(easing.name().toLowerCase(Locale.ROOT)), () -> {
+            menu.getItems().add(item(BodyTitles.property(easing.name().toLowerCase(Locale.ROOT)), () -> {
                 studio.film().edit("easing", scene -> TrackEdits.eased(scene, sheet.selected(), easing));
                 studio.endGesture();
             }));

@@ -1,6 +1,6 @@
 package dev.twister.gui.camera;
 
-import dev.twister.gui.model.KeyframeEdits;
+import dev.twister.gui.edit.KeyframeEdits;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.CameraKeyframe;
 import java.util.ArrayList;

@@ -1,10 +1,10 @@
 package dev.twister.gui.camera;
 
 import dev.twister.gui.controls.Ids;
-import dev.twister.gui.model.TrackTitles;
+import dev.twister.gui.edit.BodyTitles;
 import dev.twister.gui.studio.Studio;
-import dev.twister.scene.AnimatedProperty;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.property.AnimatedProperty;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -39,14 +39,14 @@ public final class KeyframeMenu {
         if (!selected.isEmpty()) {
             menu.getItems().add(item("Place and size", selected, PLACE));
             names(selected)
-                    .forEach(name -> menu.getItems().add(item(TrackTitles.property(name), selected, List.of(name))));
+                    .forEach(name -> menu.getItems().add(item(BodyTitles.property(name), selected, List.of(name))));
             menu.getItems().add(new SeparatorMenuItem());
         }
         for (TrackTarget target : List.of(TrackTarget.CAMERA, TrackTarget.SKY)) {
-            Menu more = new Menu(TrackTitles.of(studio.scene(), target));
+            Menu more = new Menu(BodyTitles.of(studio.scene(), target));
             names(List.of(target))
                     .forEach(name ->
-                            more.getItems().add(item(TrackTitles.property(name), List.of(target), List.of(name))));
+                            more.getItems().add(item(BodyTitles.property(name), List.of(target), List.of(name))));
             menu.getItems().add(more);
         }
         menu.getItems().add(item("Ambient light", List.of(TrackTarget.SHADING), List.of("ambient")));
@@ -67,7 +67,7 @@ public final class KeyframeMenu {
 
     private List<TrackTarget> selected() {
         return studio.selection().bodies().bodies().stream()
-                .flatMap(body -> TrackTitles.target(studio.scene(), body).stream())
+                .flatMap(body -> BodyTitles.target(studio.scene(), body).stream())
                 .toList();
     }
 

@@ -1,9 +1,9 @@
 package dev.twister.gui.camera;
 
-import dev.twister.gui.model.BodyExtent;
-import dev.twister.gui.model.FocusPoint;
-import dev.twister.gui.model.Orbit;
+import dev.twister.gui.edit.BodyExtent;
+import dev.twister.gui.picking.PointerRay;
 import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.studio.Orbit;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Vector3;
@@ -99,7 +99,7 @@ public final class OrbitMouse {
         Camera camera = studio.scene().camera();
         double meters = studio.pictureProperty()
                 .get()
-                .map(picture -> FocusPoint.distance(
+                .map(picture -> PointerRay.focusDistance(
                         picture.input(),
                         picture.frame().width() / 2.0,
                         picture.frame().height() / 2.0))

@@ -1,10 +1,11 @@
 package dev.twister.gui.controls;
 
-import dev.twister.scene.Range;
+import dev.twister.scene.property.Range;
 import java.math.BigDecimal;
 import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.scene.control.TextField;
+import javafx.scene.control.skin.TextFieldSkin;
 
 /** A text field for a number; red while the text is not an allowed one. */
 public final class NumberField extends TextField {
@@ -27,7 +28,7 @@ public final class NumberField extends TextField {
         this.allowed = allowed;
         this.whole = whole;
         setId("render-" + Ids.of(label));
-        StillCaret.install(this);
+        stopCaret(this);
         setPrefColumnCount(COLUMNS);
         setMinWidth(USE_PREF_SIZE);
         setMaxWidth(USE_PREF_SIZE);
@@ -66,6 +67,25 @@ public final class NumberField extends TextField {
                     .filter(number -> !whole || number == Math.rint(number));
         } catch (NumberFormatException _) {
             return Optional.empty();
+        }
+    }
+
+    /**
+     * Stops the caret of a text field without the focus. JavaFX starts its blinking whenever a text is set, and then
+     * asks for 60 pulses per second for as long as the program runs.
+     */
+    public static void stopCaret(TextField field) {
+        // After the skin's own listener, which starts it.
+        field.skinProperty().subscribe(skin -> {
+            if (skin instanceof TextFieldSkin drawn) {
+                field.caretPositionProperty().subscribe(_ -> stop(field, drawn));
+            }
+        });
+    }
+
+    private static void stop(TextField field, TextFieldSkin skin) {
+        if (!field.isFocused()) {
+            skin.setCaretAnimating(false);
         }
     }
 }

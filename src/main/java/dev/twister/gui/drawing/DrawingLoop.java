@@ -18,7 +18,7 @@ public final class DrawingLoop implements AutoCloseable {
     private static final long REST_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final PictureExchange exchange = new PictureExchange();
-    private final PictureWork work;
+    private final ProgressiveRenderer work;
     private final Thread thread;
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
@@ -26,7 +26,7 @@ public final class DrawingLoop implements AutoCloseable {
     private boolean due;
     private boolean closed;
     private final Deque<RadianceQuestion> questions = new ArrayDeque<>();
-    private volatile DrawingStatus status = DrawingStatus.QUIET;
+    private volatile Status status = Status.QUIET;
 
     private record RadianceQuestion(DrawnPicture picture, CompletableFuture<Optional<float[]>> answer) {}
 
@@ -37,13 +37,13 @@ public final class DrawingLoop implements AutoCloseable {
      * @param meshes reads meshes
      * @param substitute draws until the chosen engine is ready, and if it fails; must open at once
      */
-    public DrawingLoop(SkyShelf skies, MeshShelf meshes, EngineOffer substitute) {
+    public DrawingLoop(ImageCache skies, MeshCache meshes, EngineOffer substitute) {
         this(skies, meshes, substitute, System::nanoTime);
     }
 
     /** For tests: a loop with another clock than {@link System#nanoTime}. */
-    DrawingLoop(SkyShelf skies, MeshShelf meshes, EngineOffer substitute, LongSupplier clock) {
-        work = new PictureWork(exchange, skies, meshes, substitute, this::newest, this::wake, clock);
+    DrawingLoop(ImageCache skies, MeshCache meshes, EngineOffer substitute, LongSupplier clock) {
+        work = new ProgressiveRenderer(exchange, skies, meshes, substitute, this::newest, this::wake, clock);
         thread = Thread.ofPlatform().daemon().name("drawing").unstarted(this::run);
     }
 
@@ -102,7 +102,7 @@ public final class DrawingLoop implements AutoCloseable {
         return answer;
     }
 
-    public DrawingStatus status() {
+    public Status status() {
         return status;
     }
 
@@ -218,5 +218,16 @@ public final class DrawingLoop implements AutoCloseable {
         } finally {
             lock.unlock();
         }
+    }
+
+    /**
+     * The state of the drawing thread.
+     *
+     * @param opening id of the engine that is being opened
+     * @param engineFailure why the chosen engine does not draw
+     * @param sceneFailure why the scene or its sky is not shown
+     */
+    public record Status(Optional<String> opening, Optional<String> engineFailure, Optional<String> sceneFailure) {
+        public static final Status QUIET = new Status(Optional.empty(), Optional.empty(), Optional.empty());
     }
 }

@@ -1,8 +1,11 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.denoise.DenoiserOffer;
+import dev.twister.engine.EngineOffer;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
+import java.util.Optional;
 
 /**
  * What to draw.
@@ -26,10 +29,10 @@ public record DrawingRequest(
         EngineChoice engine,
         Refinement refinement,
         Motion motion,
-        Picture shown) {
+        StageOrView shown) {
     /** A request of the first document, without motion. */
     public DrawingRequest(long number, Scene scene, int width, int height, EngineChoice engine, int refineTo) {
-        this(number, 0, scene, width, height, engine, Refinement.to(refineTo), Motion.NONE, Picture.REFLECTIONS);
+        this(number, 0, scene, width, height, engine, Refinement.to(refineTo), Motion.NONE, StageOrView.BEAUTY);
     }
 
     /** Whether the other request has the same picture, on any engine. */
@@ -84,5 +87,45 @@ public record DrawingRequest(
     /** Whether pictures are drawn without end although nothing is requested. */
     public boolean isContinuous() {
         return refinement.samples() == 0 || motion.running();
+    }
+
+    /**
+     * A choice of an engine. An engine that failed is tried again only when it is chosen again, which makes a new
+     * choice.
+     *
+     * @param number counts the choices
+     */
+    public record EngineChoice(long number, EngineOffer offer) {}
+
+    /**
+     * How a picture at rest gets better.
+     *
+     * @param samples per pixel to gather before the picture rests; 0 to draw it again and again
+     * @param noise at which a path-traced picture rests earlier, relative to white; 0 for none
+     * @param denoiser removes the noise of a path-traced picture; empty to leave it
+     */
+    public record Refinement(int samples, double noise, Optional<DenoiserOffer> denoiser) {
+        /** To a number of samples alone. */
+        public static Refinement to(int samples) {
+            return new Refinement(samples, 0, Optional.empty());
+        }
+    }
+
+    /**
+     * Whether and how bodies move.
+     *
+     * @param start the number of the start; a new number restarts the bodies from their places in the scene; 0 for no
+     *     motion
+     * @param running whether time passes
+     * @param steps number of single steps since the start
+     */
+    public record Motion(long start, boolean running, long steps) {
+        /** No motion. */
+        public static final Motion NONE = new Motion(0, false, 0);
+
+        /** Whether physics places the bodies. */
+        public boolean isOn() {
+            return start != 0;
+        }
     }
 }

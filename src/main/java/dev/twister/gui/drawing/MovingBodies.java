@@ -1,5 +1,6 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Scene;
 import dev.twister.world.World;

@@ -1,9 +1,8 @@
 package dev.twister.gui.files;
 
 import dev.twister.gui.controls.Dialogs;
-import dev.twister.gui.controls.Problems;
-import dev.twister.gui.model.BodyExtent;
-import dev.twister.gui.model.NewMesh;
+import dev.twister.gui.edit.BodyExtent;
+import dev.twister.gui.picking.NewBodies;
 import dev.twister.gui.studio.Document;
 import dev.twister.gui.studio.Studio;
 import dev.twister.mesh.Box;
@@ -51,7 +50,7 @@ public final class AssetActions {
         studio.pictureProperty().get().ifPresent(shown -> {
             Box box = held.bounds();
             BodyExtent bounds = BodyExtent.box(box.center(), box.half());
-            Mesh placed = NewMesh.inFrontOf(shown.input(), studio.bodies().scene(), shown.meshes(), mesh, bounds);
+            Mesh placed = NewBodies.mesh(shown.input(), studio.bodies().scene(), shown.meshes(), mesh, bounds);
             studio.assets().keepMesh(mesh, held);
             studio.insert("insert mesh", List.of(placed), List.of());
         });
@@ -133,6 +132,6 @@ public final class AssetActions {
     }
 
     private void complain(String title, Throwable problem) {
-        dialogs.complain(title, Problems.explain(problem));
+        dialogs.complain(title, Dialogs.explain(problem));
     }
 }

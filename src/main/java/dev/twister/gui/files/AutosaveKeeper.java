@@ -2,11 +2,9 @@ package dev.twister.gui.files;
 
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
-import dev.twister.gui.controls.Problems;
-import dev.twister.gui.model.Autosave;
-import dev.twister.gui.model.AutosaveFolder;
-import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.SceneHistory;
+import dev.twister.gui.edit.SceneHistory;
+import dev.twister.gui.files.AutosaveFolder.Autosave;
+import dev.twister.gui.studio.EditedFile;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.SceneException;
 import java.io.IOException;
@@ -117,7 +115,7 @@ public final class AutosaveKeeper implements AutoCloseable {
             current.orElseThrow().write(version.scene());
             old.ifPresent(AutosaveKeeper::delete);
         } catch (IOException | SceneException refused) {
-            problem = Problems.explain(refused);
+            problem = Dialogs.explain(refused);
         }
         long took = System.nanoTime() - began;
         String said = problem;

@@ -2,22 +2,28 @@ package dev.twister.gui.files;
 
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
-import dev.twister.gui.controls.Problems;
-import dev.twister.gui.model.Autosave;
-import dev.twister.gui.model.DroppedFile;
-import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.NewScene;
-import dev.twister.gui.model.SceneHistory;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.edit.SceneHistory;
+import dev.twister.gui.files.AutosaveFolder.Autosave;
+import dev.twister.gui.studio.BackgroundTasks;
+import dev.twister.gui.studio.EditedFile;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import dev.twister.mesh.MeshPose;
 import dev.twister.mesh.MeshStage;
+import dev.twister.scene.Camera;
 import dev.twister.scene.Geometry;
+import dev.twister.scene.Ground;
+import dev.twister.scene.Integrator;
+import dev.twister.scene.Light;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Rendering;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.ToneMap;
+import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
+import dev.twister.scene.light.Lights;
 import dev.twister.sky.ShippedSky;
 import dev.twister.sky.SkyException;
 import java.nio.file.Path;
@@ -34,7 +40,7 @@ public final class FileActions {
     private final Reading reading;
     private final SceneSaving saving;
     private final AssetActions assets;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
 
     public FileActions(
             Studio studio,
@@ -45,8 +51,8 @@ public final class FileActions {
             Reading reading,
             SceneSaving saving,
             AssetActions assets,
-            Errands errands) {
-        this.errands = errands;
+            BackgroundTasks tasks) {
+        this.tasks = tasks;
         this.studio = studio;
         this.choice = choice;
         this.shipped = shipped;
@@ -66,7 +72,7 @@ public final class FileActions {
 
     /** Lists the shipped scenes in the background; tells nothing if there are none. */
     public void listShipped(Consumer<List<Path>> then) {
-        errands.run(shipped::list, then, _ -> {});
+        tasks.run(shipped::list, then, _ -> {});
     }
 
     /** Asks for a file and opens it. */
@@ -151,7 +157,7 @@ public final class FileActions {
     private void offerAnotherSky(OpenedScene read, Throwable problem) {
         Path present = studio.scene().sky().file();
         dialogs.askForSky(
-                Problems.explain(problem),
+                Dialogs.explain(problem),
                 new Answer(
                         "Choose a sky…",
                         () -> choice.panorama(studio.document().folder()).ifPresent(sky -> showUnder(sky, read))),
@@ -231,6 +237,38 @@ public final class FileActions {
     }
 
     private void complain(String title, Throwable problem) {
-        dialogs.complain(title, Problems.explain(problem));
+        dialogs.complain(title, Dialogs.explain(problem));
+    }
+
+    /** The scene that a person starts from: a floor, a sky and a light, path traced. */
+    private static final class NewScene {
+        /** Its file until it is saved for the first time. */
+        public static final String FILE_NAME = "untitled.json";
+
+        private static final double FLOOR_METERS = 20;
+        private static final Camera CAMERA = Camera.of(new Vector3(0, 2, -7), 0, 10, 50);
+        private static final Light LIGHT = Light.of(new Vector3(-3, 6, -4), 0.5, new Rgb(1, 0.95, 0.85));
+        private static final Rgb BRIGHT = new Rgb(0.7, 0.7, 0.7);
+        private static final Rgb DARK = new Rgb(0.4, 0.4, 0.4);
+        private static final int SHADOW_SAMPLES = 16;
+
+        private NewScene() {}
+
+        /**
+         * The scene under a sky.
+         *
+         * @param sky a panorama's file
+         */
+        public static Scene of(Path sky) {
+            Rendering rendering = Rendering.DEFAULT;
+            return Scene.under(sky)
+                    .withCamera(CAMERA)
+                    .withGround(Ground.of(FLOOR_METERS, 0, BRIGHT, DARK, 0))
+                    .withLights(Lights.of(LIGHT))
+                    .withRendering(rendering
+                            .withIntegrator(Integrator.PATH)
+                            .withShadowSamples(SHADOW_SAMPLES)
+                            .withTone(rendering.exposure(), ToneMap.ACES, rendering.srgb()));
+        }
     }
 }

@@ -2,17 +2,14 @@ package dev.twister.gui.files;
 
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
-import dev.twister.gui.controls.Problems;
-import dev.twister.gui.model.CopiedTitle;
-import dev.twister.gui.model.DaylightFile;
-import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.FileMark;
-import dev.twister.gui.model.SceneHistory;
+import dev.twister.gui.edit.SceneHistory;
+import dev.twister.gui.property.DaylightFile;
+import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Document;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.EditedFile;
 import dev.twister.gui.studio.Studio;
-import dev.twister.scene.Title;
 import dev.twister.scene.format.SceneWriter;
+import dev.twister.scene.select.Title;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -25,7 +22,7 @@ public final class SceneSaving {
     private final ShippedFolders shipped;
     private final Dialogs dialogs;
     private final SettingsKeeper settings;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
     private final BooleanSupplier takeTyped;
     private int saving;
 
@@ -43,7 +40,7 @@ public final class SceneSaving {
             ShippedFolders shipped,
             Dialogs dialogs,
             SettingsKeeper settings,
-            Errands errands,
+            BackgroundTasks tasks,
             BooleanSupplier takeTyped) {
         this.studio = studio;
         document = studio.document();
@@ -51,7 +48,7 @@ public final class SceneSaving {
         this.shipped = shipped;
         this.dialogs = dialogs;
         this.settings = settings;
-        this.errands = errands;
+        this.tasks = tasks;
         this.takeTyped = takeTyped;
     }
 
@@ -75,11 +72,11 @@ public final class SceneSaving {
             return;
         }
         if (saving > 0) {
-            // The thread writes scenes one after the other: after this errand all of them are written.
-            errands.keepFile(
+            // The thread writes scenes one after the other: after this task all of them are written.
+            tasks.keepFile(
                     () -> "",
                     _ -> afterSaving(action),
-                    problem -> dialogs.complain("Couldn't keep the scene", Problems.explain(problem)));
+                    problem -> dialogs.complain("Couldn't keep the scene", Dialogs.explain(problem)));
         } else if (document.editsProperty().get().changed()) {
             // The scene may be edited while it is written: so ask again afterwards.
             dialogs.askToSave(
@@ -94,7 +91,7 @@ public final class SceneSaving {
     /** Whether the scene is shipped or was never saved, so that it needs a file of its own first. */
     private boolean needsFile() {
         return shipped.isScene(document.file())
-                || document.fileProperty().get().mark().equals(FileMark.NONE);
+                || document.fileProperty().get().mark().equals(EditedFile.Digest.NONE);
     }
 
     private void save(Runnable then) {
@@ -124,7 +121,7 @@ public final class SceneSaving {
         if (!FileNames.absolute(own).equals(FileNames.absolute(copy))) {
             Title original = document.original().title();
             boolean isShipped = shipped.isScene(own);
-            studio.edit("name", scene -> scene.withTitle(CopiedTitle.of(scene.title(), original, copy, isShipped)));
+            studio.edit("name", scene -> scene.withTitle(copiedTitle(scene.title(), original, copy, isShipped)));
             studio.endGesture();
         }
     }
@@ -146,14 +143,14 @@ public final class SceneSaving {
         }
         SceneHistory.Version version = document.toSave();
         saving++;
-        errands.keepFile(
+        tasks.keepFile(
                 () -> {
                     if (known.isOverwrittenBy(file) && !isOwn(file)) {
                         return Optional.<EditedFile>empty();
                     }
                     DaylightFile.writeIfMissing(version.scene());
                     SceneWriter.write(version.scene(), file, known.path());
-                    lastWritten = Optional.of(new EditedFile(file, FileMark.of(file)));
+                    lastWritten = Optional.of(new EditedFile(file, EditedFile.Digest.of(file)));
                     return lastWritten;
                 },
                 written -> {
@@ -186,13 +183,32 @@ public final class SceneSaving {
                 new Answer("Save as…", () -> saveAs(then)),
                 new Answer(
                         "Overwrite",
-                        () -> errands.keepFile(
-                                () -> new EditedFile(file, FileMark.of(file)),
+                        () -> tasks.keepFile(
+                                () -> new EditedFile(file, EditedFile.Digest.of(file)),
                                 seen -> saveTo(file, seen, then),
                                 this::complain)));
     }
 
     private void complain(Throwable problem) {
-        dialogs.complain("Couldn't save the scene", Problems.explain(problem));
+        dialogs.complain("Couldn't save the scene", Dialogs.explain(problem));
+    }
+
+    /**
+     * The title of the copy.
+     *
+     * @param title that the scene has now
+     * @param original that of the file it was read from
+     * @param shipped whether that is a shipped scene, whose description is of no other
+     */
+    public static Title copiedTitle(Title title, Title original, Path copy, boolean shipped) {
+        Title named = title.name().equals(original.name()) ? title.withName(stem(copy)) : title;
+        boolean described = !shipped || !title.description().equals(original.description());
+        return described ? named : named.withDescription("");
+    }
+
+    private static String stem(Path file) {
+        String name = file.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        return dot > 0 ? name.substring(0, dot) : name;
     }
 }

@@ -1,8 +1,6 @@
 package dev.twister.gui.files;
 
-import dev.twister.gui.model.SettingsStore;
-import dev.twister.gui.model.WindowSettings;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.BackgroundTasks;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,7 +18,7 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
  */
 public final class SettingsKeeper {
     private final SettingsStore store;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
     private final Consumer<String> complain;
     private final ReadOnlyObjectWrapper<WindowSettings> settings;
 
@@ -30,12 +28,13 @@ public final class SettingsKeeper {
     /**
      * The settings that were found.
      *
-     * @param errands read and write the file
+     * @param tasks read and write the file
      * @param complain takes messages for the status line
      */
-    public SettingsKeeper(SettingsStore store, SettingsStore.Found found, Errands errands, Consumer<String> complain) {
+    public SettingsKeeper(
+            SettingsStore store, SettingsStore.Found found, BackgroundTasks tasks, Consumer<String> complain) {
         this.store = store;
-        this.errands = errands;
+        this.tasks = tasks;
         this.complain = complain;
         settings = new ReadOnlyObjectWrapper<>(found.settings());
         found.message().ifPresent(complain);
@@ -62,7 +61,7 @@ public final class SettingsKeeper {
 
     /** Takes a file that no longer exists out of the menu of recent scenes. */
     void forgetIfGone(Path file) {
-        errands.run(
+        tasks.run(
                 () -> Files.exists(file),
                 isThere -> {
                     if (!isThere) {
@@ -77,7 +76,7 @@ public final class SettingsKeeper {
     public void write() {
         List<UnaryOperator<WindowSettings>> written = List.copyOf(changes);
         changes.clear();
-        errands.keepFile(() -> write(written), message -> message.ifPresent(complain), problem -> {
+        tasks.keepFile(() -> write(written), message -> message.ifPresent(complain), problem -> {
             changes.addAll(0, written);
             complain.accept("The window's settings are not kept: " + problem.getMessage());
         });

@@ -1,7 +1,6 @@
 package dev.twister.gui.files;
 
 import dev.twister.files.WholeFile;
-import dev.twister.gui.model.DroppedFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -25,6 +24,18 @@ public record ShippedFolders(Path scenes, Path skyboxes) {
             return files.filter(file -> DroppedFile.kind(file) == DroppedFile.Kind.SCENE)
                     .sorted()
                     .toList();
+        }
+    }
+
+    /** The shipped panoramas as absolute paths, by name; none if their folder cannot be read. */
+    public List<Path> skies() {
+        try (Stream<Path> files = Files.list(skyboxes)) {
+            return files.filter(file -> DroppedFile.kind(file) == DroppedFile.Kind.SKYBOX)
+                    .map(FileNames::absolute)
+                    .sorted()
+                    .toList();
+        } catch (IOException _) {
+            return List.of();
         }
     }
 

@@ -1,8 +1,5 @@
 package dev.twister.gui.files;
 
-import dev.twister.gui.model.ChosenFile;
-import dev.twister.gui.model.PictureFile;
-import dev.twister.gui.model.ScenePatterns;
 import dev.twister.mesh.MeshReader;
 import java.io.File;
 import java.nio.file.Files;
@@ -17,7 +14,7 @@ import javafx.stage.Window;
 
 /** Asks with the system's dialogs. */
 public final class SystemFileChoice implements FileChoice {
-    private static final String SCENE = "*" + ChosenFile.SCENE;
+    private static final String SCENE = "*" + FileNames.SCENE;
     private static final List<String> PANORAMAS =
             List.of("*.hdr", "*.exr", "*.pic", "*.png", "*.jpg", "*.jpeg", "*.webp");
     private static final List<String> PICTURES = List.of("*.exr", "*.hdr", "*.png");
@@ -37,7 +34,7 @@ public final class SystemFileChoice implements FileChoice {
         chooser.getExtensionFilters()
                 .addAll(
                         new ExtensionFilter("Scenes, meshes and panoramas", all()),
-                        new ExtensionFilter("Scenes", ScenePatterns.ofThisSystem()),
+                        new ExtensionFilter("Scenes", FileNames.scenePatterns()),
                         new ExtensionFilter("Meshes", MESHES),
                         new ExtensionFilter("Panoramas", PANORAMAS),
                         new ExtensionFilter("All files", "*"));
@@ -49,7 +46,7 @@ public final class SystemFileChoice implements FileChoice {
         FileChooser chooser = chooser("Save the scene", parent(suggested));
         chooser.setInitialFileName(String.valueOf(suggested.getFileName()));
         chooser.getExtensionFilters().add(new ExtensionFilter("Scenes", SCENE));
-        return path(chooser.showSaveDialog(owner)).map(ChosenFile::forScene);
+        return path(chooser.showSaveDialog(owner)).map(FileNames::forScene);
     }
 
     @Override
@@ -78,14 +75,14 @@ public final class SystemFileChoice implements FileChoice {
         chooser.setInitialFileName(String.valueOf(suggested.getFileName()));
         chooser.getExtensionFilters()
                 .addAll(
-                        new ExtensionFilter("As shown: PNG", "*" + PictureFile.PNG),
-                        new ExtensionFilter("Linear radiance: HDR", "*" + PictureFile.HDR),
-                        new ExtensionFilter("Linear radiance: EXR", "*" + PictureFile.EXR));
+                        new ExtensionFilter("As shown: PNG", "*" + FileNames.PNG),
+                        new ExtensionFilter("Linear radiance: HDR", "*" + FileNames.HDR),
+                        new ExtensionFilter("Linear radiance: EXR", "*" + FileNames.EXR));
         Optional<Path> chosen = path(chooser.showSaveDialog(owner));
         String ending = Optional.ofNullable(chooser.getSelectedExtensionFilter())
                 .map(filter -> filter.getExtensions().getFirst().substring(1))
-                .orElse(PictureFile.PNG);
-        return chosen.map(file -> ChosenFile.forPicture(file, ending));
+                .orElse(FileNames.PNG);
+        return chosen.map(file -> FileNames.forPicture(file, ending));
     }
 
     @Override
@@ -93,7 +90,7 @@ public final class SystemFileChoice implements FileChoice {
         FileChooser chooser = chooser("Render to file", parent(suggested));
         chooser.setInitialFileName(String.valueOf(suggested.getFileName()));
         chooser.getExtensionFilters().add(new ExtensionFilter(kind, "*" + ending));
-        return path(chooser.showSaveDialog(owner)).map(file -> ChosenFile.withEnding(file, ending));
+        return path(chooser.showSaveDialog(owner)).map(file -> FileNames.withEnding(file, ending));
     }
 
     @Override
@@ -111,7 +108,7 @@ public final class SystemFileChoice implements FileChoice {
     }
 
     private static List<String> all() {
-        return Stream.of(ScenePatterns.ofThisSystem(), MESHES, PANORAMAS)
+        return Stream.of(FileNames.scenePatterns(), MESHES, PANORAMAS)
                 .flatMap(List::stream)
                 .toList();
     }

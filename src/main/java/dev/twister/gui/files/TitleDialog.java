@@ -1,8 +1,8 @@
 package dev.twister.gui.files;
 
 import dev.twister.gui.studio.Studio;
-import dev.twister.scene.SceneLimits;
-import dev.twister.scene.Title;
+import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.select.Title;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.Dialog;
 import javafx.scene.control.DialogPane;

@@ -4,7 +4,7 @@ import dev.twister.gui.controls.OwnedWindows;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.SettingsKeeper;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowSettings;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;

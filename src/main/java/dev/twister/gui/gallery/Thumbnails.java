@@ -5,10 +5,9 @@ import dev.twister.engine.JvmEngines;
 import dev.twister.files.UserFolder;
 import dev.twister.image.Frame;
 import dev.twister.image.PngWriter;
-import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
-import dev.twister.scene.VisibleBodies;
 import dev.twister.scene.format.SceneReader;
+import dev.twister.scene.select.VisibleBodies;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
@@ -84,10 +83,10 @@ final class Thumbnails implements AutoCloseable {
 
     private static void render(Path file, Path picture) throws IOException {
         Scene scene = VisibleBodies.of(SceneReader.read(file));
-        boolean traced = scene.rendering().integrator() == Integrator.PATH;
+        boolean noisy = scene.rendering().integrator().isNoisy();
         Scene small = scene.withRendering(scene.rendering()
                 .withSize(WIDTH, HEIGHT)
-                .withSamplesPerPixel(traced ? TRACED_SAMPLES : SAMPLES)
+                .withSamplesPerPixel(noisy ? TRACED_SAMPLES : SAMPLES)
                 .withShadowSamples(Math.min(scene.rendering().shadowSamples(), SHADOW_SAMPLES)));
         SceneMeshes meshes = SceneMeshes.read(small, _ -> {});
         FrameInput input = World.of(small, SceneImages.read(small, meshes, _ -> {}), meshes)

@@ -1,9 +1,8 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Command;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.OutlineLine;
-import dev.twister.gui.model.SelectedBodies;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
 import dev.twister.scene.Scene;

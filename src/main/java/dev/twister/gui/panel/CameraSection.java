@@ -1,9 +1,9 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.model.CameraNumbers;
 import dev.twister.gui.panel.ChoiceRow.Look;
+import dev.twister.gui.property.CameraNumbers;
 import dev.twister.gui.studio.Studio;
-import dev.twister.world.CameraMotion;
+import dev.twister.world.animation.CameraMotion;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -21,9 +21,9 @@ final class CameraSection {
                 "Walking speed in meters per second; Shift is 4 times as fast.",
                 "Alt+Shift+Z",
                 metersPerSecond -> new Look(CameraNumbers.FOCUS_DISTANCE.scale().text(metersPerSecond) + " m/s"),
-                studio.hand().speedProperty()::set,
+                studio.cameraControl().speedProperty()::set,
                 studio::notice);
-        studio.hand()
+        studio.cameraControl()
                 .speedProperty()
                 .subscribe(now -> speed.show(CameraNumbers.SPEEDS, now, CameraMotion.WALK_METERS_PER_SECOND));
         studio.sceneProperty().subscribe(_ -> refresh());

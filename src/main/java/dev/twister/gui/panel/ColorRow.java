@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.DropDownKeys;
-import dev.twister.gui.model.ScreenColor;
+import dev.twister.gui.property.ScreenColor;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;

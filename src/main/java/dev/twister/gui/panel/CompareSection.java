@@ -1,13 +1,13 @@
 package dev.twister.gui.panel;
 
 import dev.twister.engine.EngineOffer;
-import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.Comparison.Mode;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -22,7 +22,7 @@ final class CompareSection {
     private final Comparison comparison;
     private final ChoiceRow<Mode> mode;
     private final ChoiceRow<String> engine;
-    private final ChoiceRow<Optional<Picture>> shown;
+    private final ChoiceRow<Optional<StageOrView>> shown;
     private final SwitchRow settings;
 
     CompareSection(Studio studio, EngineList engines, Comparison comparison) {
@@ -47,7 +47,7 @@ final class CompareSection {
                 "It shows",
                 "The stage or view of the second picture.",
                 "Alt+Shift+S",
-                picture -> new Look(picture.map(ShownPictures::label).orElse(SAME)),
+                picture -> new Look(picture.map(StagesAndViews::label).orElse(SAME)),
                 comparison.shownProperty()::set,
                 studio::notice);
         settings = new SwitchRow(
@@ -81,8 +81,8 @@ final class CompareSection {
                 SAME);
         shown.show(
                 Stream.concat(
-                                Stream.of(Optional.<Picture>empty()),
-                                ShownPictures.all().stream().map(Optional::of))
+                                Stream.of(Optional.<StageOrView>empty()),
+                                StagesAndViews.all().stream().map(Optional::of))
                         .toList(),
                 comparison.shownProperty().get(),
                 Optional.empty());

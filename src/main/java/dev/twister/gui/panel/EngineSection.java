@@ -2,12 +2,12 @@ package dev.twister.gui.panel;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
-import dev.twister.gui.model.ResolutionMode;
-import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.drawing.ResolutionMode;
+import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -18,7 +18,7 @@ final class EngineSection {
     private final EngineList engines;
     private final ChoiceRow<String> engine;
     private final ChoiceRow<ResolutionMode> resolution;
-    private final ChoiceRow<Picture> shown;
+    private final ChoiceRow<StageOrView> shown;
     private final String usualEngine;
 
     EngineSection(Studio studio, EngineList engines, String usualEngine) {
@@ -44,9 +44,9 @@ final class EngineSection {
                 "The full picture, a stage on the way to it, or values per pixel.",
                 "Alt+J",
                 picture -> new Look(
-                        ShownPictures.label(picture),
-                        ShownPictures.label(picture),
-                        ShownPictures.hint(picture),
+                        StagesAndViews.label(picture),
+                        StagesAndViews.label(picture),
+                        StagesAndViews.hint(picture),
                         Optional.empty()),
                 studio::setShown,
                 studio::notice);
@@ -58,7 +58,7 @@ final class EngineSection {
         engines.offersProperty().subscribe(_ -> refresh());
         studio.engineProperty().subscribe(_ -> refresh());
         studio.resolutionProperty().subscribe(_ -> refresh());
-        studio.shownProperty().subscribe(now -> shown.show(ShownPictures.all(), now, Picture.REFLECTIONS));
+        studio.shownProperty().subscribe(now -> shown.show(StagesAndViews.all(), now, StageOrView.BEAUTY));
     }
 
     List<PanelRow> rows() {

@@ -1,9 +1,9 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.LightNumbers;
-import dev.twister.gui.model.Radiance;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.property.LightNumbers;
+import dev.twister.gui.property.LightNumbers.Radiance;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;

@@ -1,17 +1,16 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.BodyTitles;
+import dev.twister.gui.edit.SelectedBodies;
+import dev.twister.gui.edit.SharedMaterial;
 import dev.twister.gui.files.AssetActions;
 import dev.twister.gui.files.FileNames;
-import dev.twister.gui.model.BodyChoices;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyMaterials;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.MaterialNumbers;
-import dev.twister.gui.model.MaterialPreset;
-import dev.twister.gui.model.SelectedBodies;
-import dev.twister.gui.model.SharedMaterial;
 import dev.twister.gui.panel.ChoiceRow.Look;
+import dev.twister.gui.property.MaterialNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
@@ -30,7 +29,7 @@ final class MaterialRows {
     private final AssetActions assets;
     private final int body;
     private final Scene before;
-    private final ChoiceRow<Optional<MaterialPreset>> preset;
+    private final ChoiceRow<Optional<BodyMaterials.Preset>> preset;
     private final List<ColorRow> colors;
     private final NumberRow reflectivity;
     private final List<NumberRow> numbers;
@@ -61,7 +60,7 @@ final class MaterialRows {
                 "Preset",
                 "A common material. Color and texture stay.",
                 "Alt+Shift+M",
-                choice -> new Look(choice.map(MaterialPreset::label).orElse("Custom")),
+                choice -> new Look(choice.map(BodyMaterials.Preset::label).orElse("Custom")),
                 choice -> edit(
                         "preset",
                         old -> choice.map(chosen -> chosen.appliedTo(old))
@@ -108,7 +107,7 @@ final class MaterialRows {
 
     /** Text that names the material and the bodies that share it. */
     String hint() {
-        return (body == BodyNumber.PLANE ? "The plane" : BodyChoices.title(studio.scene(), body))
+        return (body == BodyNumber.PLANE ? "The plane" : BodyTitles.title(studio.scene(), body))
                 + shared.map(named -> " has the material \"" + named.name() + "\", "
                                 + (named.bodies().size() == 1
                                         ? "alone."
@@ -127,8 +126,8 @@ final class MaterialRows {
             textures = textures(scene);
         }
         Material now = material(scene);
-        Optional<MaterialPreset> present = MaterialPreset.of(now);
-        preset.show(presets(present), present, MaterialPreset.of(firstMaterial()));
+        Optional<BodyMaterials.Preset> present = BodyMaterials.Preset.of(now);
+        preset.show(presets(present), present, BodyMaterials.Preset.of(firstMaterial()));
         colors.forEach(row -> row.show(scene, before));
         numbers.forEach(row -> row.show(scene, before));
         reflectivity.showUnit(MaterialNumbers.percentUnit(now));
@@ -176,9 +175,9 @@ final class MaterialRows {
         return plane ? List.of(color, odd) : List.of(color);
     }
 
-    private static List<Optional<MaterialPreset>> presets(Optional<MaterialPreset> present) {
+    private static List<Optional<BodyMaterials.Preset>> presets(Optional<BodyMaterials.Preset> present) {
         return Stream.concat(
-                        Arrays.stream(MaterialPreset.values()).map(Optional::of),
+                        Arrays.stream(BodyMaterials.Preset.values()).map(Optional::of),
                         Stream.of(present).filter(Optional::isEmpty))
                 .toList();
     }

@@ -1,10 +1,10 @@
 package dev.twister.gui.panel;
 
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.BodyTitles;
 import dev.twister.gui.files.AssetActions;
-import dev.twister.gui.model.BodyChoices;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyMaterials;
-import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.studio.Studio;
 import java.util.List;
 import java.util.Optional;
@@ -76,7 +76,7 @@ final class MaterialSection extends VBox {
             hint.setText(rows.hint());
         });
         if (mesh && !has) {
-            hint.setText(BodyChoices.title(studio.scene(), body)
+            hint.setText(BodyTitles.title(studio.scene(), body)
                     + (BodyEdits.mesh(studio.scene(), body).file().isPresent()
                             ? " has the materials of its file."
                             : " has the default material."));

@@ -1,9 +1,9 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Command;
-import dev.twister.gui.controls.StillCaret;
-import dev.twister.gui.model.NumberProperty;
-import dev.twister.gui.model.NumberScale;
+import dev.twister.gui.controls.NumberField;
+import dev.twister.gui.property.NumberProperty;
+import dev.twister.gui.property.NumberScale;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import java.util.List;
@@ -98,7 +98,7 @@ public final class NumberRow extends PanelRow {
             drag = Optional.empty();
             studio.endGesture();
         });
-        StillCaret.install(field);
+        NumberField.stopCaret(field);
         field.setOnAction(_ -> takeTyped());
         field.focusedProperty().subscribe((_, focused) -> {
             if (!focused) {

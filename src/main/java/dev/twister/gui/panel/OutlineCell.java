@@ -1,7 +1,6 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.OutlineLine;
+import dev.twister.gui.edit.BodyNumber;
 import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.event.ActionEvent;

@@ -3,20 +3,20 @@ package dev.twister.gui.panel;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Tooltips;
+import dev.twister.gui.drawing.ResolutionMode;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.CameraRig;
 import dev.twister.gui.files.AssetActions;
 import dev.twister.gui.files.SettingsKeeper;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.CameraRig;
-import dev.twister.gui.model.ResolutionMode;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.HistogramView;
+import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.EngineList;
-import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -61,12 +61,12 @@ public final class Panel extends ScrollPane {
             BooleanProperty clippingShown,
             AssetActions assets,
             TagActions tags,
-            Errands errands,
+            BackgroundTasks tasks,
             CommandActions actions) {
         engine = new EngineSection(
                 studio, engines, studio.engineProperty().get().offer().id());
         compare = new CompareSection(studio, engines, comparison);
-        picture = new PictureSection(studio, errands, clippingShown);
+        picture = new PictureSection(studio, tasks, clippingShown);
         histogram = new HistogramView(studio, actions);
         camera = new CameraSection(studio);
         light = new LightSection(studio);
@@ -232,9 +232,9 @@ public final class Panel extends ScrollPane {
                         .withCamera(CameraRig.of(studio.document().original().camera())
                                 .on(scene.camera())));
         studio.endGesture();
-        studio.hand().goHome();
+        studio.cameraControl().goHome();
         studio.setResolution(ResolutionMode.WINDOW);
-        studio.setShown(Picture.REFLECTIONS);
+        studio.setShown(StageOrView.BEAUTY);
         studio.refiningProperty().set(true);
         studio.noiseGoalProperty().set(0.0);
         studio.denoiserProperty().set(Optional.empty());

@@ -2,7 +2,7 @@ package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.SettingsKeeper;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowSettings;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.Cursor;
 import javafx.scene.control.Tooltip;

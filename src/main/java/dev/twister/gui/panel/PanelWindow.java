@@ -1,8 +1,7 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.files.SettingsKeeper;
-import dev.twister.gui.model.WindowPlace;
-import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.files.WindowSettings;
 import java.util.EnumSet;
 import java.util.Set;
 import javafx.beans.binding.BooleanBinding;
@@ -133,16 +132,17 @@ public final class PanelWindow {
     }
 
     private void keepPlace() {
-        WindowPlace place = new WindowPlace(stage.getX(), stage.getY(), stage.getWidth(), stage.getHeight());
+        WindowSettings.Bounds place =
+                new WindowSettings.Bounds(stage.getX(), stage.getY(), stage.getWidth(), stage.getHeight());
         settings.change(place::keptIn);
     }
 
     /** Where it was; beside the main window's right edge if that is on no screen now. */
     private void place() {
-        WindowPlace place = WindowPlace.of(settings.settings())
+        WindowSettings.Bounds place = WindowSettings.Bounds.of(settings.settings())
                 .filter(kept -> !Screen.getScreensForRectangle(kept.x(), kept.y(), kept.width(), kept.height())
                         .isEmpty())
-                .orElseGet(() -> new WindowPlace(
+                .orElseGet(() -> new WindowSettings.Bounds(
                         owner.getX() + owner.getWidth() - WIDTH - MARGIN, owner.getY() + 2 * MARGIN, WIDTH, HEIGHT));
         stage.setX(place.x());
         stage.setY(place.y());

@@ -1,15 +1,20 @@
 package dev.twister.gui.panel;
 
+import dev.twister.denoise.DenoiserOffer;
+import dev.twister.denoise.Denoisers;
 import dev.twister.gui.controls.Command;
-import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.controls.Dialogs;
+import dev.twister.gui.drawing.RefinementGoal;
 import dev.twister.gui.panel.ChoiceRow.Look;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.property.SceneNumbers;
+import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
@@ -26,7 +31,7 @@ final class PictureSection {
     private final RestRows rest;
 
     /** @param clippingShown whether clipped pixels are marked */
-    PictureSection(Studio studio, Errands errands, BooleanProperty clippingShown) {
+    PictureSection(Studio studio, BackgroundTasks tasks, BooleanProperty clippingShown) {
         this.studio = studio;
         numbers = NumberRow.of(SceneNumbers.PICTURE, studio);
         integrator = new ChoiceRow<>(
@@ -51,7 +56,7 @@ final class PictureSection {
                 "Alt+N",
                 studio.refiningProperty()::set);
         clipping = new SwitchRow("Show clipping", Command.CLIPPING.hint(), "Alt+Z", clippingShown::set);
-        rest = new RestRows(studio, errands);
+        rest = new RestRows(studio, tasks);
         clippingShown.subscribe(on -> clipping.show(on, false));
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.document().originalProperty().subscribe(_ -> refresh());
@@ -105,5 +110,52 @@ final class PictureSection {
     private void edit(String what, UnaryOperator<Rendering> change) {
         studio.edit(what, scene -> scene.withRendering(change.apply(scene.rendering())));
         studio.endGesture();
+    }
+
+    /** How long a path-traced picture at rest is refined, and whether its noise is removed. */
+    private static final class RestRows {
+        private final Studio studio;
+        private final BackgroundTasks tasks;
+        private final ChoiceRow<Double> noise;
+        private final SwitchRow denoise;
+
+        RestRows(Studio studio, BackgroundTasks tasks) {
+            this.studio = studio;
+            this.tasks = tasks;
+            noise = new ChoiceRow<>(
+                    "Stop at noise",
+                    "With path tracing: stop refining at this noise, an error in percent of white.",
+                    "",
+                    goal -> new Look(RefinementGoal.noiseLabel(goal)),
+                    studio.noiseGoalProperty()::set,
+                    studio::notice);
+            denoise = new SwitchRow(
+                    "Denoise",
+                    "With path tracing: remove the noise of a picture at rest by Open Image Denoise.",
+                    "",
+                    this::setDenoising);
+            studio.noiseGoalProperty()
+                    .subscribe(goal -> noise.show(RefinementGoal.NOISES, goal, RefinementGoal.NO_NOISE));
+            studio.denoiserProperty().subscribe(denoiser -> denoise.show(denoiser.isPresent(), false));
+        }
+
+        List<PanelRow> rows() {
+            return List.of(noise, denoise);
+        }
+
+        private void setDenoising(boolean on) {
+            if (on) {
+                // Off until the library is found, which takes some 0.5 s.
+                tasks.run(Denoisers::offer, this::use, problem -> studio.notice(Dialogs.explain(problem)));
+            } else {
+                studio.denoiserProperty().set(Optional.empty());
+            }
+        }
+
+        private void use(DenoiserOffer offer) {
+            studio.denoiserProperty().set(Optional.of(offer).filter(DenoiserOffer::works));
+            denoise.show(offer.works(), false);
+            offer.obstacle().ifPresent(studio::notice);
+        }
     }
 }

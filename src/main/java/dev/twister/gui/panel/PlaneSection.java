@@ -1,8 +1,8 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.property.SceneNumbers;
 import dev.twister.gui.studio.Studio;
 import java.util.List;
 import javafx.scene.control.Button;

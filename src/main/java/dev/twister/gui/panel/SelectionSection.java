@@ -1,12 +1,12 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.model.BodyChoices;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyMaterials;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.BodyNumbers;
-import dev.twister.gui.model.SelectedBodies;
-import dev.twister.gui.model.TagEdits;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.BodyTitles;
+import dev.twister.gui.edit.SelectedBodies;
+import dev.twister.gui.edit.TagEdits;
+import dev.twister.gui.property.BodyNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
 import dev.twister.scene.Scene;
@@ -103,8 +103,8 @@ final class SelectionSection extends VBox {
                 selected.count() > 1
                         ? selected.count() + " bodies are selected. Drag one to move all, Delete deletes all. "
                                 + (BodyEdits.isLight(studio.scene(), selected.active())
-                                        ? BodyChoices.title(studio.scene(), selected.active()) + " is the active one."
-                                        : "These numbers are of " + BodyChoices.title(studio.scene(), selected.active())
+                                        ? BodyTitles.title(studio.scene(), selected.active()) + " is the active one."
+                                        : "These numbers are of " + BodyTitles.title(studio.scene(), selected.active())
                                                 + ".")
                         : hint(studio.scene(), selected.active()));
     }
@@ -116,14 +116,14 @@ final class SelectionSection extends VBox {
                     + ". Physics moves it; it can't be edited.";
         }
         if (BodyEdits.isLight(scene, body)) {
-            return BodyChoices.title(scene, body) + " is selected; its controls are under Light.";
+            return BodyTitles.title(scene, body) + " is selected; its controls are under Light.";
         }
         return switch (body) {
             case BodyNumber.NONE ->
                 "Click a body in the picture to select it, or press F2; Shift+click selects several. Drag a selected "
                         + "sphere, mesh or light to move it.";
             case BodyNumber.PLANE -> "The plane is selected; its material is below.";
-            default -> BodyChoices.title(scene, body) + of(scene, body) + ". Drag it to move it, Delete deletes it.";
+            default -> BodyTitles.title(scene, body) + of(scene, body) + ". Drag it to move it, Delete deletes it.";
         };
     }
 

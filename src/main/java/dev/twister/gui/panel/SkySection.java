@@ -2,10 +2,10 @@ package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.AssetActions;
-import dev.twister.gui.model.DaylightFile;
-import dev.twister.gui.model.DaylightNumbers;
-import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.panel.ChoiceRow.Look;
+import dev.twister.gui.property.DaylightFile;
+import dev.twister.gui.property.DaylightNumbers;
+import dev.twister.gui.property.SceneNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import java.nio.file.Path;
@@ -29,7 +29,7 @@ final class SkySection {
                 "Sky",
                 "The panorama behind everything, which mirrors show too. A file can be dropped on the window.",
                 "Alt+K",
-                file -> new Look(SkyList.label(file), SkyList.label(file), file.toString(), Optional.empty()),
+                file -> new Look(label(file), label(file), file.toString(), Optional.empty()),
                 file -> assets.useSky(file, this::refresh),
                 studio::notice);
         other.setId("other-sky");
@@ -57,11 +57,18 @@ final class SkySection {
     private void refresh() {
         Path used = studio.scene().sky().file();
         Path own = studio.document().original().sky().file();
-        sky.show(SkyList.with(known, own, used), used, own);
+        sky.show(Stream.concat(known.stream(), Stream.of(own, used)).distinct().toList(), used, own);
         Scene usual = studio.document().original();
         numbers.forEach(row -> row.show(studio.scene(), usual));
         // A reset of these must not replace a sky of another kind.
         boolean replaced = DaylightFile.of(used).isEmpty();
         daylight.forEach(row -> row.show(studio.scene(), replaced ? studio.scene() : usual));
+    }
+
+    /** What a list shows: the file's name without its ending. */
+    private static String label(Path panorama) {
+        return DaylightFile.of(panorama).isPresent()
+                ? "Daylight"
+                : String.valueOf(panorama.getFileName()).replaceFirst("\\.[A-Za-z]+$", "");
     }
 }

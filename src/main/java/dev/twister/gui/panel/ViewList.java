@@ -1,10 +1,10 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Ids;
-import dev.twister.gui.controls.StillCaret;
+import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.model.ViewEdits;
-import dev.twister.gui.studio.CameraHand;
+import dev.twister.gui.edit.ViewEdits;
+import dev.twister.gui.studio.CameraControl;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.CameraView;
 import dev.twister.scene.Scene;
@@ -51,7 +51,7 @@ final class ViewList extends VBox {
         list.fixedCellSizeProperty().subscribe(_ -> fitHeight());
         list.addEventHandler(KeyEvent.KEY_PRESSED, this::pressed);
         name.setId("view-name");
-        StillCaret.install(name);
+        NumberField.stopCaret(name);
         name.setOnAction(_ -> {
             if (takeName()) {
                 list.requestFocus();
@@ -127,12 +127,12 @@ final class ViewList extends VBox {
     }
 
     private void goTo() {
-        Optional.ofNullable(list.getSelectionModel().getSelectedItem()).ifPresent(studio.hand()::goTo);
+        Optional.ofNullable(list.getSelectionModel().getSelectedItem()).ifPresent(studio.cameraControl()::goTo);
     }
 
     private void add() {
         if (ViewEdits.isFull(studio.scene())) {
-            studio.notice(CameraHand.FULL);
+            studio.notice(CameraControl.FULL);
             return;
         }
         edit("add view", scene -> ViewEdits.added(scene, scene.camera()));

@@ -3,13 +3,12 @@ package dev.twister.gui.picture;
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawingRequest;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.drawing.EngineChoice;
-import dev.twister.gui.model.PictureDifference;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.Frame;
 import dev.twister.scene.Rendering;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
@@ -31,7 +30,7 @@ public final class Comparison implements AutoCloseable {
     private final Supplier<DrawingLoop> loops;
     private final ObjectProperty<Mode> mode = new SimpleObjectProperty<>(Mode.OFF);
     private final ObjectProperty<Optional<EngineOffer>> engine = new SimpleObjectProperty<>(Optional.empty());
-    private final ObjectProperty<Optional<Picture>> shown = new SimpleObjectProperty<>(Optional.empty());
+    private final ObjectProperty<Optional<StageOrView>> shown = new SimpleObjectProperty<>(Optional.empty());
     private final ObjectProperty<Optional<Rendering>> settings = new SimpleObjectProperty<>(Optional.empty());
     private final ReadOnlyObjectWrapper<Optional<Other>> other = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<Optional<PictureDifference>> difference =
@@ -81,7 +80,7 @@ public final class Comparison implements AutoCloseable {
     }
 
     /** What the second picture shows; empty for what the first does. */
-    public ObjectProperty<Optional<Picture>> shownProperty() {
+    public ObjectProperty<Optional<StageOrView>> shownProperty() {
         return shown;
     }
 

@@ -1,12 +1,12 @@
 package dev.twister.gui.picture;
 
+import dev.twister.engine.AutoExposure;
 import dev.twister.engine.ExposureMeter;
-import dev.twister.gui.controls.Problems;
+import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.SceneNumbers;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.property.SceneNumbers;
+import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
-import dev.twister.world.AutoExposure;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
@@ -14,11 +14,11 @@ import java.util.concurrent.CompletableFuture;
 /** Sets the exposure by the picture that is shown, once. */
 public final class ExposureActions {
     private final Studio studio;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
 
-    public ExposureActions(Studio studio, Errands errands) {
+    public ExposureActions(Studio studio, BackgroundTasks tasks) {
         this.studio = studio;
-        this.errands = errands;
+        this.tasks = tasks;
     }
 
     public void setAutomatically() {
@@ -35,7 +35,7 @@ public final class ExposureActions {
         long document = studio.document().number();
         boolean srgb = studio.scene().rendering().srgb();
         CompletableFuture<Optional<float[]>> gathered = studio.radiance(picture);
-        errands.run(
+        tasks.run(
                 // A picture that was not refined has kept no radiance.
                 () -> gathered.join()
                         .map(radiance -> AutoExposure.stops(radiance, srgb))
@@ -45,7 +45,7 @@ public final class ExposureActions {
                         set(stops);
                     }
                 },
-                problem -> studio.notice(Problems.explain(problem)));
+                problem -> studio.notice(Dialogs.explain(problem)));
     }
 
     private void set(OptionalDouble measured) {

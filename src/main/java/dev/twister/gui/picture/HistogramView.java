@@ -4,10 +4,10 @@ import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.Histogram;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import javafx.scene.canvas.Canvas;
@@ -86,8 +86,8 @@ public final class HistogramView extends VBox {
     }
 
     /** Why a view has no exposure. */
-    static String without(Picture shown) {
-        return ShownPictures.label(shown) + " has no exposure: its colors are not light";
+    static String without(StageOrView shown) {
+        return StagesAndViews.label(shown) + " has no exposure: its colors are not light";
     }
 
     private void show(DrawnPicture picture) {

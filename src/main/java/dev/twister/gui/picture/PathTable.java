@@ -47,7 +47,7 @@ public final class PathTable extends VBox {
         table.setPlaceholder(new Region());
         column("Step", 3.2, step -> String.valueOf(table.getItems().indexOf(step) + 1));
         column("Ray", 8.2, this::ray);
-        column("Meets", 5.5, step -> InspectorText.bodyName(pick.sceneBody(step.body())));
+        column("Meets", 5.5, step -> PixelReading.bodyName(pick.sceneBody(step.body())));
         column("Distance", 6, step -> step.distance() == 0 ? "" : number(step.distance()) + " m");
         lights("N·L", 3.9, LightPart::normalDotLight);
         lights("S", 3.6, LightPart::visible);
@@ -72,7 +72,7 @@ public final class PathTable extends VBox {
                 "Emitter",
                 8.2,
                 surface -> surface.emitter()
-                        .map(chosen -> InspectorText.bodyName(pick.sceneBody(chosen.body())) + " "
+                        .map(chosen -> PixelReading.bodyName(pick.sceneBody(chosen.body())) + " "
                                 + number(chosen.probability()))
                         .orElse(""));
         scattering(

@@ -1,10 +1,10 @@
 package dev.twister.gui.picture;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.PathLines;
-import dev.twister.gui.model.PathLines.Kind;
-import dev.twister.gui.model.PathLines.Line;
-import dev.twister.gui.model.Projection;
+import dev.twister.gui.picking.Projection;
+import dev.twister.gui.picture.PathLines.Kind;
+import dev.twister.gui.picture.PathLines.Line;
+import dev.twister.gui.picture.PictureView.PicturePlace;
 import dev.twister.gui.studio.Studio;
 import java.util.List;
 import javafx.geometry.Point2D;

@@ -1,12 +1,10 @@
 package dev.twister.gui.picture;
 
 import dev.twister.gui.controls.Dialogs;
-import dev.twister.gui.controls.Problems;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.files.FileChoice;
-import dev.twister.gui.model.FrameRecorder;
-import dev.twister.gui.model.PictureFile;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.files.FileNames;
+import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrWriter;
@@ -28,7 +26,7 @@ public final class PictureActions implements AutoCloseable {
     private final Studio studio;
     private final FileChoice choice;
     private final Dialogs dialogs;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
     private final ReadOnlyObjectWrapper<Optional<FrameRecorder>> recorder =
             new ReadOnlyObjectWrapper<>(Optional.empty());
 
@@ -38,11 +36,11 @@ public final class PictureActions implements AutoCloseable {
     private Path lastFolder = Path.of("").toAbsolutePath();
     private boolean finished;
 
-    public PictureActions(Studio studio, FileChoice choice, Dialogs dialogs, Errands errands) {
+    public PictureActions(Studio studio, FileChoice choice, Dialogs dialogs, BackgroundTasks tasks) {
         this.studio = studio;
         this.choice = choice;
         this.dialogs = dialogs;
-        this.errands = errands;
+        this.tasks = tasks;
     }
 
     /** The recording that is going on. */
@@ -60,20 +58,18 @@ public final class PictureActions implements AutoCloseable {
         int[] argb = frame.argb().clone();
         boolean srgb = shown.get().input().srgb();
         ShownRadiance radiance = ShownRadiance.of(studio, shown.get());
-        choice.toSavePicture(lastFolder.resolve(PictureFile.freeName(lastFolder)))
-                .ifPresent(file -> {
-                    lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent())
-                            .orElse(lastFolder);
-                    errands.keepPicture(
-                            // The window's engine may work long on a picture before it notices.
-                            PictureFile.isLinear(file) ? radiance.gathered() : CompletableFuture.completedFuture(""),
-                            () -> {
-                                write(file, argb, srgb, radiance);
-                                return file;
-                            },
-                            written -> studio.notice("Saved " + written),
-                            problem -> dialogs.complain("Couldn't save the picture", Problems.explain(problem)));
-                });
+        choice.toSavePicture(lastFolder.resolve(FileNames.freeName(lastFolder))).ifPresent(file -> {
+            lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent()).orElse(lastFolder);
+            tasks.keepPicture(
+                    // The window's engine may work long on a picture before it notices.
+                    FileNames.isLinear(file) ? radiance.gathered() : CompletableFuture.completedFuture(""),
+                    () -> {
+                        write(file, argb, srgb, radiance);
+                        return file;
+                    },
+                    written -> studio.notice("Saved " + written),
+                    problem -> dialogs.complain("Couldn't save the picture", Dialogs.explain(problem)));
+        });
     }
 
     /** Starts a recording, or ends the one that is going on. */
@@ -121,10 +117,10 @@ public final class PictureActions implements AutoCloseable {
 
     private void startRecording(Path folder) {
         lastFolder = folder;
-        errands.run(
+        tasks.run(
                 () -> FrameRecorder.start(folder),
                 this::record,
-                problem -> dialogs.complain("Couldn't start recording", Problems.explain(problem)));
+                problem -> dialogs.complain("Couldn't start recording", Dialogs.explain(problem)));
     }
 
     private void record(FrameRecorder started) {
@@ -165,9 +161,9 @@ public final class PictureActions implements AutoCloseable {
     private static void write(Path file, int[] argb, boolean srgb, ShownRadiance shown) throws IOException {
         int width = shown.width();
         int height = shown.height();
-        if (PictureFile.isExr(file)) {
+        if (FileNames.isExr(file)) {
             ExrWriter.write(file, width, height, channels(shown.await()));
-        } else if (PictureFile.isLinear(file)) {
+        } else if (FileNames.isLinear(file)) {
             HdrWriter.write(file, width, height, shown.await());
         } else {
             PngWriter.write(file, width, height, argb, srgb);

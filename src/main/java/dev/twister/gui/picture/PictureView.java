@@ -1,14 +1,16 @@
 package dev.twister.gui.picture;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.PictureZoom;
-import dev.twister.gui.model.PictureZoom.Side;
+import dev.twister.gui.picture.PictureZoom.Side;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.Frame;
+import dev.twister.world.FrameInput;
 import java.nio.IntBuffer;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
 import javafx.scene.AccessibleRole;
 import javafx.scene.image.Image;
 import javafx.scene.image.ImageView;
@@ -164,6 +166,44 @@ public final class PictureView extends Pane {
         view.setImage(shown.image());
         if (before == null || before.getWidth() != frame.width() || before.getHeight() != frame.height()) {
             requestLayout();
+        }
+    }
+
+    /**
+     * Where a picture lies in the view that it was scaled to fit.
+     *
+     * @param bounds of the scaled picture, in the view's units
+     * @param width of the picture, in pixels
+     * @param height of the picture, in pixels
+     */
+    public record PicturePlace(Bounds bounds, int width, int height) {
+        /** From the view's units to pixels of the picture. */
+        public Point2D toPicture(double x, double y) {
+            return new Point2D(
+                    (x - bounds.getMinX()) * width / bounds.getWidth(),
+                    (y - bounds.getMinY()) * height / bounds.getHeight());
+        }
+
+        /** From the view's units to pixels of the same picture in another size. */
+        public Point2D toPicture(double x, double y, FrameInput other) {
+            Point2D place = toPicture(x, y);
+            return new Point2D(place.getX() * other.width() / width, place.getY() * other.height() / height);
+        }
+
+        /** From a length in the view's units to one in pixels of the picture. */
+        public double toPicture(double length) {
+            return length * width / bounds.getWidth();
+        }
+
+        /** From pixels of the picture to the view's units. */
+        public Point2D toView(double x, double y) {
+            return new Point2D(
+                    bounds.getMinX() + x * bounds.getWidth() / width,
+                    bounds.getMinY() + y * bounds.getHeight() / height);
+        }
+
+        public boolean contains(double x, double y) {
+            return bounds.contains(x, y);
         }
     }
 }

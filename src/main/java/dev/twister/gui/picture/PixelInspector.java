@@ -1,8 +1,7 @@
 package dev.twister.gui.picture;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.PixelReading;
-import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
 import java.util.Optional;
 import javafx.geometry.Point2D;
@@ -20,7 +19,7 @@ public final class PixelInspector extends HBox {
 
     private final PictureView view;
     private final Studio studio;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
     private final Rectangle swatch = new Rectangle(SWATCH, SWATCH);
     private final Label text = new Label();
     private Optional<Point2D> pointer = Optional.empty();
@@ -30,10 +29,10 @@ public final class PixelInspector extends HBox {
     /** A pixel of a picture. */
     private record Asked(long picture, int x, int y) {}
 
-    public PixelInspector(PictureView view, Studio studio, Errands errands) {
+    public PixelInspector(PictureView view, Studio studio, BackgroundTasks tasks) {
         this.view = view;
         this.studio = studio;
-        this.errands = errands;
+        this.tasks = tasks;
         getStyleClass().add("inspector");
         setId("inspector");
         text.setId("inspector-text");
@@ -75,7 +74,7 @@ public final class PixelInspector extends HBox {
             asked = Optional.of(wanted);
             reading = true;
             int argb = picture.frame().argb()[y * picture.frame().width() + x];
-            errands.run(
+            tasks.run(
                     () -> PixelReading.of(picture.input(), picture.samples(), x, y, argb),
                     pixel -> show(pixel, picture),
                     problem -> show(problem.toString()));
@@ -84,8 +83,7 @@ public final class PixelInspector extends HBox {
 
     private void show(PixelReading pixel, DrawnPicture picture) {
         swatch.setFill(Color.rgb(pixel.argb() >> 16 & 255, pixel.argb() >> 8 & 255, pixel.argb() & 255));
-        show(InspectorText.of(
-                pixel, picture.sceneBody(pixel.body()), picture.request().shown()));
+        show(pixel.text(picture.sceneBody(pixel.body()), picture.request().shown()));
     }
 
     private void show(String said) {

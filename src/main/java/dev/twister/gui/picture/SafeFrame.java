@@ -1,6 +1,5 @@
 package dev.twister.gui.picture;
 
-import dev.twister.gui.model.FrameOutline;
 import dev.twister.gui.studio.Studio;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -45,6 +44,17 @@ public final class SafeFrame extends Pane {
             outline.setY(view.getCenterY() - frame.height() / 2);
             outline.setWidth(frame.width());
             outline.setHeight(frame.height());
+        }
+    }
+
+    /**
+     * The size, in a view, of what a picture of other proportions shows: the field of view is over the shorter side.
+     */
+    public record FrameOutline(double width, double height) {
+        /** The outline of an output in a view of the same camera. */
+        public static FrameOutline of(double viewWidth, double viewHeight, double outputWidth, double outputHeight) {
+            double scale = Math.min(viewWidth, viewHeight) / Math.min(outputWidth, outputHeight);
+            return new FrameOutline(outputWidth * scale, outputHeight * scale);
         }
     }
 }

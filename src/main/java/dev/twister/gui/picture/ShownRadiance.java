@@ -14,9 +14,9 @@ import java.util.concurrent.CompletableFuture;
  *
  * @param gathered by the window's engine; empty if it has gone on to another picture
  */
-record ShownRadiance(int width, int height, FrameInput input, CompletableFuture<Optional<float[]>> gathered) {
+public record ShownRadiance(int width, int height, FrameInput input, CompletableFuture<Optional<float[]>> gathered) {
     /** Of the present picture. */
-    static ShownRadiance of(Studio studio, DrawnPicture shown) {
+    public static ShownRadiance of(Studio studio, DrawnPicture shown) {
         // What is seen as one samples it: the frame's own samples, or those gathered since.
         FrameInput own = shown.input();
         int samples = shown.samples();
@@ -25,7 +25,7 @@ record ShownRadiance(int width, int height, FrameInput input, CompletableFuture<
     }
 
     /** Waits for it, or renders the same picture if the window's engine is busy with another one. */
-    float[] await() {
+    public float[] await() {
         return gathered.join().orElseGet(this::draw);
     }
 

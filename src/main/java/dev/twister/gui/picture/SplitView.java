@@ -1,8 +1,7 @@
 package dev.twister.gui.picture;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.PictureDifference;
-import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.picture.Comparison.Mode;
 import dev.twister.gui.picture.Comparison.Other;
 import dev.twister.gui.studio.Studio;
@@ -129,7 +128,7 @@ public final class SplitView extends Pane {
     /** Engine, what is shown, samples: how one tells the halves apart. */
     private static String name(DrawnPicture picture) {
         return picture.engine() + " · "
-                + ShownPictures.label(picture.request().shown()) + " · " + picture.samples()
+                + StagesAndViews.label(picture.request().shown()) + " · " + picture.samples()
                 + (picture.samples() == 1 ? " sample" : " samples");
     }
 

@@ -2,11 +2,10 @@ package dev.twister.gui.rendering;
 
 import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.PlainBox;
-import dev.twister.gui.model.FilmMotion;
-import dev.twister.gui.model.FilmPlan;
+import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.render.FrameRange;
-import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
+import dev.twister.scene.property.Range;
 import dev.twister.world.Animation;
 import java.util.List;
 import java.util.Locale;

@@ -1,12 +1,15 @@
 package dev.twister.gui.rendering;
 
+import dev.twister.denoise.DenoiserOffer;
+import dev.twister.denoise.Denoisers;
 import dev.twister.gui.controls.PlainBox;
-import dev.twister.gui.model.NoiseGoal;
-import dev.twister.gui.model.RenderFormat;
+import dev.twister.gui.drawing.RefinementGoal;
 import dev.twister.render.Finishing;
 import dev.twister.render.RenderOrder;
 import dev.twister.render.Sampling;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import javafx.application.Platform;
 import javafx.scene.control.CheckBox;
 
 /** What is done about noise, and which layers a file gets. */
@@ -17,8 +20,8 @@ final class FinishingFields {
 
     /** @param changed called when a person has chosen */
     FinishingFields(Runnable changed) {
-        noise = new PlainBox<>("render-noise", NoiseGoal::label, changed);
-        noise.offer(NoiseGoal.ALL, Optional.of(NoiseGoal.NONE));
+        noise = new PlainBox<>("render-noise", RefinementGoal::noiseLabel, changed);
+        noise.offer(RefinementGoal.NOISES, Optional.of(RefinementGoal.NO_NOISE));
         denoiser = new DenoiserChoice(changed);
         lightLayers.setId("render-light-layers");
         lightLayers.setOnAction(_ -> changed.run());
@@ -67,5 +70,46 @@ final class FinishingFields {
 
     private Optional<Double> goal() {
         return noise.choice().filter(goal -> goal > 0);
+    }
+
+    /** Whether the noise of a picture is removed; off until a denoiser is found. */
+    private static final class DenoiserChoice {
+        private final CheckBox box = new CheckBox("looking for Open Image Denoise");
+        private final Runnable changed;
+        private Optional<DenoiserOffer> found = Optional.empty();
+        private boolean asked;
+
+        /** @param changed called when a person has chosen */
+        DenoiserChoice(Runnable changed) {
+            this.changed = changed;
+            box.setId("render-denoise");
+            box.setDisable(true);
+            box.setOnAction(_ -> this.changed.run());
+        }
+
+        CheckBox box() {
+            return box;
+        }
+
+        /** Looks for a denoiser in the background, once. */
+        void look() {
+            if (!asked) {
+                asked = true;
+                CompletableFuture<Void> _ = CompletableFuture.supplyAsync(Denoisers::offer)
+                        .thenAccept(offer -> Platform.runLater(() -> show(offer)));
+            }
+        }
+
+        private void show(DenoiserOffer offer) {
+            found = Optional.of(offer).filter(DenoiserOffer::works);
+            box.setDisable(found.isEmpty());
+            box.setText(found.map(_ -> "with Open Image Denoise")
+                    .orElse("needs Open Image Denoise, see 'twister devices'"));
+        }
+
+        /** The denoiser, if the noise is to be removed. */
+        Optional<DenoiserOffer> choice() {
+            return found.filter(_ -> box.isSelected());
+        }
     }
 }

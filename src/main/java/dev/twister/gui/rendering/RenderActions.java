@@ -3,11 +3,10 @@ package dev.twister.gui.rendering;
 import dev.twister.engine.EngineException;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
-import dev.twister.gui.controls.Problems;
+import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.files.FileChoice;
 import dev.twister.gui.files.FileNames;
-import dev.twister.gui.model.RenderJob;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
 import dev.twister.render.RenderOrder;
@@ -23,6 +22,11 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import javafx.geometry.Pos;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.ProgressBar;
+import javafx.scene.layout.HBox;
 import javafx.stage.Stage;
 
 /** Renders to files in the background, one after the other; further ones wait. */
@@ -37,7 +41,7 @@ public final class RenderActions implements AutoCloseable {
     private final Dialogs dialogs;
     private final RenderForm form;
     private final RenderWindow window;
-    private final RenderStatus status = new RenderStatus(this::cancel);
+    private final Status status = new Status(this::cancel);
     private final Deque<RenderOrder> waiting = new ArrayDeque<>();
     private Optional<RenderJob> job = Optional.empty();
     private Path lastFolder = Path.of("").toAbsolutePath();
@@ -62,7 +66,7 @@ public final class RenderActions implements AutoCloseable {
     }
 
     /** The progress while the window is closed, for the status line. */
-    public RenderStatus status() {
+    public Status status() {
         return status;
     }
 
@@ -232,11 +236,47 @@ public final class RenderActions implements AutoCloseable {
     }
 
     private static String explain(Throwable problem) {
-        return problem instanceof EngineException ? problem.getMessage() : Problems.explain(problem);
+        return problem instanceof EngineException ? problem.getMessage() : Dialogs.explain(problem);
     }
 
     private void tell(String what) {
         window.showEnd(what);
         studio.notice(what);
+    }
+
+    /** The progress of a rendering in the status line, with a button to cancel, while the render window is closed. */
+    public static final class Status extends HBox {
+        private final ProgressBar bar = new ProgressBar(0);
+        private final Label text = new Label();
+
+        /** @param stop cancels the rendering */
+        Status(Runnable stop) {
+            bar.setAccessibleText("Progress of the rendering");
+            text.setId("rendering");
+            text.setMinWidth(0);
+            Button cancel = new Button("Cancel");
+            cancel.setId("cancel-rendering");
+            cancel.setTooltip(Tooltips.of("Cancels the rendering. Finished numbered frames stay."));
+            cancel.setMinWidth(USE_PREF_SIZE);
+            cancel.setOnAction(_ -> stop.run());
+            getStyleClass().add("reading");
+            setAlignment(Pos.CENTER_LEFT);
+            getChildren().addAll(bar, text, cancel);
+            managedProperty().bind(visibleProperty());
+            setVisible(false);
+        }
+
+        /** Shows the progress, as {@link RenderWindow#showProgress} does. */
+        void show(String progress, Optional<Double> part) {
+            text.setText(progress);
+            bar.setProgress(part.orElse(ProgressBar.INDETERMINATE_PROGRESS));
+            setVisible(true);
+        }
+
+        void hide() {
+            // An invisible bar that moves would cost processor time.
+            bar.setProgress(0);
+            setVisible(false);
+        }
     }
 }

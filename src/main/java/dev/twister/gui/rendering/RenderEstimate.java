@@ -3,7 +3,6 @@ package dev.twister.gui.rendering;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.render.RenderOrder;
 import dev.twister.render.TimeLeft;
-import dev.twister.world.Picture;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.Optional;
@@ -31,14 +30,11 @@ final class RenderEstimate {
 
     /** Empty where another engine or another kind of picture would be measured. */
     private static Optional<Duration> time(RenderOrder order, DrawnPicture seen) {
-        Picture shown = seen.request().shown() == Picture.REFLECTIONS
-                ? Picture.BEAUTY
-                : seen.request().shown();
         boolean same =
                 seen.request().engine().offer().id().equals(order.engine().id())
                         && seen.request().scene().rendering().integrator()
                                 == order.scene().rendering().integrator()
-                        && order.pictures().contains(shown);
+                        && order.pictures().contains(seen.request().shown());
         double measured = (double) seen.frame().width()
                 * seen.frame().height()
                 * seen.input().samplesPerPixel();

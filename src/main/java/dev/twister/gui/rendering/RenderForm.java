@@ -6,10 +6,8 @@ import dev.twister.film.Ffmpeg;
 import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.PlainBox;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.RefinementGoal;
-import dev.twister.gui.model.RenderFormat;
-import dev.twister.gui.model.ShownPictures;
-import dev.twister.gui.model.WindowOrder;
+import dev.twister.gui.drawing.RefinementGoal;
+import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.PictureSize;
@@ -18,10 +16,10 @@ import dev.twister.render.RenderOrder;
 import dev.twister.render.Renderer;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
-import dev.twister.scene.VisibleBodies;
+import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.select.VisibleBodies;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -52,7 +50,7 @@ final class RenderForm extends GridPane {
     private final NumberField shadows =
             new NumberField("Shadow samples", SceneLimits.SHADOW_SAMPLES, true, this::check);
     private final PlainBox<EngineOffer> engine = new PlainBox<>("render-engine", RenderForm::name, this::check);
-    private final PlainBox<Picture> shown = new PlainBox<>("render-show", ShownPictures::label, this::check);
+    private final PlainBox<StageOrView> shown = new PlainBox<>("render-show", StagesAndViews::label, this::check);
     private final PlainBox<RenderFormat> format = new PlainBox<>("render-format", RenderFormat::label, this::check);
     private final Label estimate = new Label();
     private final FinishingFields finishing = new FinishingFields(this::check);
@@ -113,8 +111,8 @@ final class RenderForm extends GridPane {
         if (document.isEmpty()) {
             size.show(
                     new PictureSize(scene.rendering().width(), scene.rendering().height()));
-            samples.show(RefinementGoal.samples(scene, Picture.REFLECTIONS));
-            shown.offer(ShownPictures.all(), Optional.of(studio.shownProperty().get()));
+            samples.show(RefinementGoal.samples(scene, StageOrView.BEAUTY));
+            shown.offer(StagesAndViews.all(), Optional.of(studio.shownProperty().get()));
             films.showUsual();
             engines.want();
         }
@@ -148,7 +146,7 @@ final class RenderForm extends GridPane {
                         .flatMap(chosen -> shown.choice().flatMap(picture -> order(sized, picture, chosen, file))));
     }
 
-    private Optional<RenderOrder> order(Scene scene, Picture picture, EngineOffer chosen, Path file) {
+    private Optional<RenderOrder> order(Scene scene, StageOrView picture, EngineOffer chosen, Path file) {
         Optional<RenderOrder> order = film.isSelected()
                 ? films.film().map(plan -> WindowOrder.film(scene, picture, chosen, plan, file))
                 : Optional.of(WindowOrder.picture(scene, picture, chosen, movedBodies(scene), file));
@@ -203,7 +201,7 @@ final class RenderForm extends GridPane {
                 .or(shadows::complaint)
                 .or(() -> finishing.complaint(
                         samples.wholeNumber(),
-                        shown.choice().filter(Picture::isColor).isPresent()));
+                        shown.choice().filter(StageOrView::isColor).isPresent()));
     }
 
     private void check() {

@@ -3,7 +3,7 @@ package dev.twister.gui.rendering;
 import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.PlainBox;
 import dev.twister.image.PictureSize;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.property.SceneLimits;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;

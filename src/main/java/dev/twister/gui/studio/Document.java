@@ -1,12 +1,10 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.model.CameraRig;
-import dev.twister.gui.model.EditState;
-import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.SceneHistory;
+import dev.twister.gui.edit.CameraRig;
+import dev.twister.gui.edit.SceneHistory;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
-import dev.twister.world.CameraMotion;
+import dev.twister.world.animation.CameraMotion;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BiConsumer;
@@ -21,7 +19,8 @@ public final class Document {
     private final ReadOnlyObjectWrapper<Scene> scene;
     private final ReadOnlyObjectWrapper<Scene> original;
     private final ReadOnlyObjectWrapper<EditedFile> file;
-    private final ReadOnlyObjectWrapper<EditState> edits = new ReadOnlyObjectWrapper<>(EditState.UNTOUCHED);
+    private final ReadOnlyObjectWrapper<SceneHistory.State> edits =
+            new ReadOnlyObjectWrapper<>(SceneHistory.State.UNTOUCHED);
     private final BiConsumer<Scene, Scene> changing;
     private final BiConsumer<Scene, Scene> changed;
     private final BooleanProperty cameraLocked = new SimpleBooleanProperty(false);
@@ -78,7 +77,7 @@ public final class Document {
     }
 
     /** What can be undone and redone, and whether there are unsaved changes. */
-    public ReadOnlyObjectProperty<EditState> editsProperty() {
+    public ReadOnlyObjectProperty<SceneHistory.State> editsProperty() {
         return edits.getReadOnlyProperty();
     }
 
@@ -186,7 +185,7 @@ public final class Document {
     public void saved(SceneHistory.Version version, EditedFile target) {
         if (history.markSaved(version)) {
             file.set(target);
-            edits.set(EditState.of(history));
+            edits.set(SceneHistory.State.of(history));
         }
     }
 
@@ -198,7 +197,7 @@ public final class Document {
     /** Brings the properties up to date with the history. */
     void refresh() {
         history.carryOn(withCameraAbovePlane(history.present()));
-        edits.set(EditState.of(history));
+        edits.set(SceneHistory.State.of(history));
         Scene before = scene.get();
         Scene now = history.present();
         if (!now.equals(before)) {

@@ -18,15 +18,15 @@ import javafx.util.Subscription;
  */
 public final class EngineList {
     private final Studio studio;
-    private final Errands errands;
+    private final BackgroundTasks tasks;
     private final ReadOnlyObjectWrapper<List<EngineOffer>> offers;
     private Subscription waiting = Subscription.EMPTY;
     private boolean wanted;
     private boolean looked;
 
-    private EngineList(Studio studio, Errands errands) {
+    private EngineList(Studio studio, BackgroundTasks tasks) {
         this.studio = studio;
-        this.errands = errands;
+        this.tasks = tasks;
         EngineOffer first = studio.engineProperty().get().offer();
         List<EngineOffer> atOnce = workableFirst(Engines.offersAtOnce());
         offers = new ReadOnlyObjectWrapper<>(Stream.concat(
@@ -38,8 +38,8 @@ public final class EngineList {
     }
 
     /** Looks for devices once the first picture rests, or earlier if they are {@link #want wanted}. */
-    public static EngineList load(Studio studio, Errands errands) {
-        EngineList list = new EngineList(studio, errands);
+    public static EngineList load(Studio studio, BackgroundTasks tasks) {
+        EngineList list = new EngineList(studio, tasks);
         list.waiting = Subscription.combine(
                 studio.pictureProperty().subscribe(_ -> list.look()),
                 studio.drawingProperty().subscribe(_ -> list.look()));
@@ -68,8 +68,7 @@ public final class EngineList {
         if (due && !looked && studio.drawingProperty().get().opening().isEmpty()) {
             looked = true;
             waiting.unsubscribe();
-            errands.run(
-                    () -> workableFirst(Engines.offers()), offers::set, problem -> studio.notice(problem.toString()));
+            tasks.run(() -> workableFirst(Engines.offers()), offers::set, problem -> studio.notice(problem.toString()));
         }
     }
 

@@ -1,17 +1,17 @@
 package dev.twister.gui.studio;
 
 import dev.twister.gui.controls.Command;
-import dev.twister.gui.model.KeyMark;
-import dev.twister.gui.model.KeyframeEdits;
-import dev.twister.gui.model.TrackEdits;
+import dev.twister.gui.edit.KeyframeEdits;
+import dev.twister.gui.edit.TrackEdits;
+import dev.twister.gui.edit.TrackEdits.KeyMark;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.Animation;
-import dev.twister.world.CameraPath;
+import dev.twister.world.animation.CameraPath;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;

@@ -1,8 +1,8 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.drawing.Motion;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.drawing.DrawingRequest.Motion;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyNumber;
 import java.util.function.Consumer;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;

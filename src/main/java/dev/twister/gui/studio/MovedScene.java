@@ -1,13 +1,13 @@
 package dev.twister.gui.studio;
 
+import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.drawing.Motion;
-import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.physics.SameSpheres;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.Bodies;
 import java.util.ArrayList;
 import java.util.List;

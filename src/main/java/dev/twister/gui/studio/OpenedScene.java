@@ -1,7 +1,5 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.FileMark;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.format.SceneReader;
@@ -16,7 +14,7 @@ import java.util.function.Consumer;
 public record OpenedScene(EditedFile file, Scene scene) {
     /** A scene that is in no file yet. */
     public OpenedScene(Path file, Scene scene) {
-        this(new EditedFile(file, FileMark.NONE), scene);
+        this(new EditedFile(file, EditedFile.Digest.NONE), scene);
     }
 
     /**
@@ -26,7 +24,7 @@ public record OpenedScene(EditedFile file, Scene scene) {
      */
     public static OpenedScene read(Path file) {
         // First: a file that is replaced while it is read counts as changed.
-        FileMark mark = FileMark.of(file);
+        EditedFile.Digest mark = EditedFile.Digest.of(file);
         return new OpenedScene(new EditedFile(file, mark), SceneReader.read(file));
     }
 
@@ -37,7 +35,7 @@ public record OpenedScene(EditedFile file, Scene scene) {
      * @throws dev.twister.scene.SceneException if it is not a scene
      */
     static OpenedScene read(Path file, Consumer<SceneException> skyProblem) {
-        FileMark mark = FileMark.of(file);
+        EditedFile.Digest mark = EditedFile.Digest.of(file);
         return new OpenedScene(new EditedFile(file, mark), SceneReader.read(file, skyProblem));
     }
 
@@ -52,7 +50,7 @@ public record OpenedScene(EditedFile file, Scene scene) {
      * @throws dev.twister.scene.SceneException if it is not a scene
      */
     public static OpenedScene readUnder(Path skybox, Path file) {
-        FileMark mark = FileMark.of(file);
+        EditedFile.Digest mark = EditedFile.Digest.of(file);
         return new OpenedScene(
                 new EditedFile(file, mark),
                 SceneReader.readUnder(skybox.toAbsolutePath().normalize(), file));

@@ -1,13 +1,13 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.physics.SameSpheres;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
-import dev.twister.scene.Tag;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.select.Tag;
 import java.util.List;
 
 /**

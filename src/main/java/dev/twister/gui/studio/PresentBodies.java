@@ -1,10 +1,10 @@
 package dev.twister.gui.studio;
 
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyExtent;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.SelectedBodies;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyExtent;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;

@@ -2,8 +2,8 @@ package dev.twister.gui.studio;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.drawing.DrawingLoop;
-import dev.twister.gui.drawing.MeshShelf;
-import dev.twister.gui.drawing.SkyShelf;
+import dev.twister.gui.drawing.ImageCache;
+import dev.twister.gui.drawing.MeshCache;
 import dev.twister.mesh.MeshFile;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
@@ -17,8 +17,8 @@ import java.util.Optional;
 /** The panoramas, textures and meshes of scenes, shared by all drawing threads. Any thread may read. */
 public final class SceneAssets {
     private final EngineOffer substitute;
-    private final SkyShelf skies = new SkyShelf();
-    private final MeshShelf meshes = new MeshShelf(SceneMeshes.reader(skies::warn));
+    private final ImageCache skies = new ImageCache();
+    private final MeshCache meshes = new MeshCache(SceneMeshes.reader(skies::warn));
 
     /** Used only by JavaFX's thread. */
     private long meshesEdition;

@@ -1,9 +1,9 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyMaterials;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.SelectedBodies;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import java.util.Collection;

@@ -1,13 +1,13 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.drawing.DrawingStatus;
+import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.CameraNumbers;
-import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.drawing.StagesAndViews;
+import dev.twister.gui.property.CameraNumbers;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
-import dev.twister.world.Picture;
+import dev.twister.world.StageOrView;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -27,9 +27,9 @@ public final class StatusText {
         Camera camera = picture.request().scene().camera();
         return Stream.of(
                         name.isEmpty() ? "untitled" : name,
-                        picture.request().shown() == Picture.REFLECTIONS
+                        picture.request().shown() == StageOrView.BEAUTY
                                 ? ""
-                                : ShownPictures.label(picture.request().shown()),
+                                : StagesAndViews.label(picture.request().shown()),
                         (chosen.equals(picture.engine()) ? "" : chosen + ": ") + picture.engine() + " ("
                                 + picture.device() + ")",
                         picture.frame().width() + " × " + picture.frame().height(),
@@ -89,7 +89,7 @@ public final class StatusText {
     }
 
     /** The rendering thread's activity or failure; may be empty. */
-    public static String message(DrawingStatus status) {
+    public static String message(DrawingLoop.Status status) {
         return Stream.of(
                         status.opening().map(id -> "making engine " + id + " ready…"),
                         status.engineFailure(),

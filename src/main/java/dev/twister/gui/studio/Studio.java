@@ -4,21 +4,23 @@ import dev.twister.denoise.DenoiserOffer;
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawingRequest;
-import dev.twister.gui.drawing.DrawingStatus;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
+import dev.twister.gui.drawing.DrawingRequest.Refinement;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.drawing.EngineChoice;
-import dev.twister.gui.drawing.Refinement;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.RefinementGoal;
-import dev.twister.gui.model.ResolutionMode;
-import dev.twister.gui.model.TagEdits;
+import dev.twister.gui.drawing.RefinementGoal;
+import dev.twister.gui.drawing.ResolutionMode;
+import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.TagEdits;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Body;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
 import dev.twister.scene.Scene;
-import dev.twister.world.Picture;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.select.SceneBodies;
+import dev.twister.scene.select.VisibleBodies;
+import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -52,9 +54,10 @@ public final class Studio implements AutoCloseable {
     private final Document document;
     private final ReadOnlyObjectWrapper<EngineChoice> engine;
     private final ReadOnlyObjectWrapper<ResolutionMode> resolution = new ReadOnlyObjectWrapper<>(ResolutionMode.WINDOW);
-    private final ReadOnlyObjectWrapper<Picture> shown = new ReadOnlyObjectWrapper<>(Picture.REFLECTIONS);
+    private final ReadOnlyObjectWrapper<StageOrView> shown = new ReadOnlyObjectWrapper<>(StageOrView.BEAUTY);
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
-    private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
+    private final ReadOnlyObjectWrapper<DrawingLoop.Status> drawing =
+            new ReadOnlyObjectWrapper<>(DrawingLoop.Status.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
     private final ObjectProperty<Double> noiseGoal = new SimpleObjectProperty<>(0.0);
     private final ObjectProperty<Optional<DenoiserOffer>> denoiser = new SimpleObjectProperty<>(Optional.empty());
@@ -67,13 +70,13 @@ public final class Studio implements AutoCloseable {
     private final Selection selection;
     private final MotionControl motion;
     private final PresentBodies bodies;
-    private final CameraHand hand;
+    private final CameraControl cameraControl;
     private final Film film;
     private double displayMillis;
     private long lastPulseNanos;
     private double viewWidth;
     private double viewHeight;
-    private final DrawnScene drawn = new DrawnScene();
+    private final VisibleScene drawn = new VisibleScene();
     private Optional<Scene> requested = Optional.empty();
     private long requests;
 
@@ -88,7 +91,7 @@ public final class Studio implements AutoCloseable {
         selection = new Selection(document, this::notice);
         motion = new MotionControl(document, selection, this::notice, this::request);
         bodies = new PresentBodies(document, motion, picture);
-        hand = new CameraHand(document, this::notice);
+        cameraControl = new CameraControl(document, this::notice);
         film = new Film(document, motion::isOn, this::notice);
         refining.subscribe(_ -> request());
         noiseGoal.subscribe(_ -> request());
@@ -155,14 +158,14 @@ public final class Studio implements AutoCloseable {
 
     /** Whether something moves or the picture is not finished. */
     public boolean isBusy() {
-        return hand.isMoving()
+        return cameraControl.isMoving()
                 || film.playingProperty().get()
                 || motion.motionProperty().get().running()
                 || restingSamples().isEmpty();
     }
 
     /** The state of the drawing thread. */
-    public ReadOnlyObjectProperty<DrawingStatus> drawingProperty() {
+    public ReadOnlyObjectProperty<DrawingLoop.Status> drawingProperty() {
         return drawing.getReadOnlyProperty();
     }
 
@@ -296,18 +299,18 @@ public final class Studio implements AutoCloseable {
     }
 
     /** What is displayed: the picture, a stage or a view. */
-    public ReadOnlyObjectProperty<Picture> shownProperty() {
+    public ReadOnlyObjectProperty<StageOrView> shownProperty() {
         return shown.getReadOnlyProperty();
     }
 
-    public void setShown(Picture picture) {
+    public void setShown(StageOrView picture) {
         shown.set(picture);
         request();
     }
 
     /** Walks, turns, and keeps views. */
-    public CameraHand hand() {
-        return hand;
+    public CameraControl cameraControl() {
+        return cameraControl;
     }
 
     /** Sets and plays the scene's keyframes. */
@@ -383,7 +386,7 @@ public final class Studio implements AutoCloseable {
     public void pulse(long nanos) {
         double seconds = Math.clamp((nanos - lastPulseNanos) / NANOS_PER_SECOND, 0, LONGEST_STEP_SECONDS);
         lastPulseNanos = nanos;
-        hand.pulse(seconds);
+        cameraControl.pulse(seconds);
         film.pulse(seconds);
         loop.takeNewest().ifPresent(newest -> {
             frames.add(newest, displayMillis);
@@ -453,6 +456,25 @@ public final class Studio implements AutoCloseable {
                     refinement,
                     motion.motionProperty().get(),
                     shown.get()));
+        }
+    }
+
+    /** The visible part of the scene. What an edit does not change stays the same list, which is compared at once. */
+    private static final class VisibleScene {
+        private Scene whole = Scene.under(Path.of(""));
+        private SceneBodies bodies = whole.bodies();
+        private Lights lights = whole.lights();
+
+        /** See {@link VisibleBodies#of}; its tracks are those of the whole scene, as a picture has none. */
+        @SuppressWarnings("ReferenceEquality") // an edit makes a new record; to compare all spheres takes longer
+        Scene of(Scene scene) {
+            if (scene.bodies() != whole.bodies() || scene.lights() != whole.lights()) {
+                Scene visible = VisibleBodies.of(scene);
+                bodies = visible.bodies().equals(bodies) ? bodies : visible.bodies();
+                lights = visible.lights().equals(lights) ? lights : visible.lights();
+                whole = scene;
+            }
+            return scene.withBodies(bodies).withLights(lights);
         }
     }
 }

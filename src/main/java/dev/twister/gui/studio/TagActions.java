@@ -1,8 +1,8 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.model.TagEdits;
+import dev.twister.gui.edit.TagEdits;
 import dev.twister.scene.Scene;
-import dev.twister.scene.Tag;
+import dev.twister.scene.select.Tag;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.UnaryOperator;

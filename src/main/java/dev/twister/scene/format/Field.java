@@ -1,5 +1,6 @@
 package dev.twister.scene.format;
 
+import dev.twister.scene.format.json.JsonText;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;

@@ -1,8 +1,11 @@
 package dev.twister.scene.format;
 
 import dev.twister.scene.SceneException;
-import dev.twister.scene.format.LocatedValue.Member;
-import dev.twister.scene.format.LocatedValue.ObjectValue;
+import dev.twister.scene.format.json.Excerpt;
+import dev.twister.scene.format.json.JsonPath;
+import dev.twister.scene.format.json.LocatedValue.Member;
+import dev.twister.scene.format.json.LocatedValue.ObjectValue;
+import dev.twister.scene.format.json.NearestName;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;

@@ -1,6 +1,7 @@
 package dev.twister.scene.format;
 
 import dev.twister.files.InputFile;
+import dev.twister.scene.format.json.Excerpt;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;

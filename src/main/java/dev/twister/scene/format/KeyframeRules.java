@@ -2,6 +2,7 @@ package dev.twister.scene.format;
 
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.format.json.JsonText;
 import java.util.List;
 
 /** What the keyframes of a camera have to be to each other. */

@@ -1,9 +1,9 @@
 package dev.twister.scene.format;
 
-import dev.twister.scene.LightGroup;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
-import dev.twister.scene.SceneLimits;
+import dev.twister.scene.light.LightGroup;
+import dev.twister.scene.property.SceneLimits;
 import java.util.HashSet;
 import java.util.Set;
 

@@ -1,7 +1,9 @@
 package dev.twister.scene.format;
 
-import dev.twister.scene.format.LocatedValue.Member;
 import dev.twister.scene.format.ValueType.Text;
+import dev.twister.scene.format.json.Excerpt;
+import dev.twister.scene.format.json.JsonText;
+import dev.twister.scene.format.json.LocatedValue.Member;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

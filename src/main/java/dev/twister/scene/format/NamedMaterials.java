@@ -1,6 +1,10 @@
 package dev.twister.scene.format;
 
 import dev.twister.scene.Material;
+import dev.twister.scene.format.json.Excerpt;
+import dev.twister.scene.format.json.JsonText;
+import dev.twister.scene.format.json.LocatedValue;
+import dev.twister.scene.format.json.NearestName;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.SequencedMap;

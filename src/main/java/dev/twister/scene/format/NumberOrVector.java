@@ -1,5 +1,6 @@
 package dev.twister.scene.format;
 
+import dev.twister.scene.format.json.LocatedValue;
 import java.util.List;
 
 /** A number or an array of three. */

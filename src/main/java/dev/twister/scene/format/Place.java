@@ -1,13 +1,17 @@
 package dev.twister.scene.format;
 
-import dev.twister.scene.Range;
 import dev.twister.scene.SceneException;
-import dev.twister.scene.format.LocatedValue.ArrayValue;
-import dev.twister.scene.format.LocatedValue.FlagValue;
-import dev.twister.scene.format.LocatedValue.NullValue;
-import dev.twister.scene.format.LocatedValue.NumberValue;
-import dev.twister.scene.format.LocatedValue.ObjectValue;
-import dev.twister.scene.format.LocatedValue.TextValue;
+import dev.twister.scene.format.json.Excerpt;
+import dev.twister.scene.format.json.JsonPath;
+import dev.twister.scene.format.json.LocatedValue;
+import dev.twister.scene.format.json.LocatedValue.ArrayValue;
+import dev.twister.scene.format.json.LocatedValue.FlagValue;
+import dev.twister.scene.format.json.LocatedValue.NullValue;
+import dev.twister.scene.format.json.LocatedValue.NumberValue;
+import dev.twister.scene.format.json.LocatedValue.ObjectValue;
+import dev.twister.scene.format.json.LocatedValue.TextValue;
+import dev.twister.scene.format.json.SourceText;
+import dev.twister.scene.property.Range;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;

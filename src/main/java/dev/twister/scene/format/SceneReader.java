@@ -2,6 +2,9 @@ package dev.twister.scene.format;
 
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.format.json.JsonPath;
+import dev.twister.scene.format.json.SourceFile;
+import dev.twister.scene.format.json.SourceText;
 import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.function.Consumer;
@@ -68,5 +71,52 @@ public final class SceneReader {
 
     private static NamedFiles beside(Path file, boolean needed) {
         return new FilesBeside(file, FilePaths.real(file), needed);
+    }
+
+    /**
+     * The files that a scene file names, all of which must be there but the skybox.
+     *
+     * @param found files that must be there
+     * @param named files that need not be there
+     * @param missing told why the skybox will not do
+     */
+    private record FilesBesideSky(NamedFiles found, NamedFiles named, Consumer<SceneException> missing)
+            implements NamedFiles {
+        @Override
+        public Path find(Place place, Path name) {
+            if (!place.path().equals(FilesUnderSky.PLACE)) {
+                return found.find(place, name);
+            }
+            try {
+                return found.find(place, name);
+            } catch (SceneException problem) {
+                missing.accept(problem);
+                return named.find(place, name);
+            }
+        }
+
+        @Override
+        public Path name(Path file) {
+            return found.name(file);
+        }
+    }
+
+    /**
+     * The files that a scene file names, but for its skybox.
+     *
+     * @param skybox takes the place of the scene's own; need not be there
+     */
+    private record FilesUnderSky(Path skybox, NamedFiles others) implements NamedFiles {
+        static final JsonPath PLACE = new JsonPath.Field(new JsonPath.Root(), SceneFormat.SKYBOX);
+
+        @Override
+        public Path find(Place place, Path name) {
+            return place.path().equals(PLACE) ? skybox : others.find(place, name);
+        }
+
+        @Override
+        public Path name(Path file) {
+            return others.name(file);
+        }
     }
 }

@@ -1,11 +1,12 @@
 package dev.twister.scene.format;
 
 import dev.twister.scene.Mesh;
-import dev.twister.scene.Range;
 import dev.twister.scene.SceneException;
-import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.format.json.JsonText;
+import dev.twister.scene.property.Range;
+import dev.twister.scene.property.SceneLimits;
 import java.util.List;
 import java.util.function.Function;
 

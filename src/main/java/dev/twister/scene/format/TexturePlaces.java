@@ -1,8 +1,9 @@
 package dev.twister.scene.format;
 
-import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
+import dev.twister.scene.format.json.JsonPath;
+import dev.twister.scene.material.Maps;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.SequencedMap;

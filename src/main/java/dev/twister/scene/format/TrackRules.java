@@ -1,11 +1,12 @@
 package dev.twister.scene.format;
 
-import dev.twister.scene.AnimatedProperty;
 import dev.twister.scene.Keyframe;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.format.json.JsonText;
+import dev.twister.scene.property.AnimatedProperty;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;

@@ -2,6 +2,8 @@ package dev.twister.scene.format;
 
 import dev.twister.scene.SceneException;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.format.json.JsonText;
+import dev.twister.scene.format.json.LocatedValue;
 
 /** The path of a part of the scene, such as {@code spheres[3]}. */
 record TrackTargetType() implements ValueType<TrackTarget> {

@@ -1,11 +1,14 @@
 package dev.twister.scene.format;
 
-import dev.twister.scene.LightGroup;
-import dev.twister.scene.Range;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Rotation;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.format.json.Excerpt;
+import dev.twister.scene.format.json.JsonText;
+import dev.twister.scene.format.json.LocatedValue;
+import dev.twister.scene.light.LightGroup;
+import dev.twister.scene.property.Range;
 import java.io.File;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;

@@ -2,8 +2,8 @@ package dev.twister.gui.camera;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.world.Turn;
-import dev.twister.world.Walk;
+import dev.twister.world.animation.Turn;
+import dev.twister.world.animation.Walk;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.Test;
 

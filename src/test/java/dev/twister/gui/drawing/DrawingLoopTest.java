@@ -4,11 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.WindowScenes;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
+import dev.twister.gui.drawing.DrawingRequest.Motion;
+import dev.twister.gui.drawing.DrawingRequest.Refinement;
 import dev.twister.image.HdrWriter;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
-import dev.twister.world.Picture;
 import dev.twister.world.SceneMeshes;
+import dev.twister.world.StageOrView;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -52,9 +55,9 @@ class DrawingLoopTest {
     private final TestEngine.Kind green = new TestEngine.Kind("green", GREEN);
     private final TestEngine.Kind red = new TestEngine.Kind("red", RED);
     private final AtomicLong nanos = new AtomicLong();
-    private final SkyShelf skies = new SkyShelf();
+    private final ImageCache skies = new ImageCache();
     private final DrawingLoop loop =
-            new DrawingLoop(skies, new MeshShelf(SceneMeshes.reader(skies::warn)), substitute.offer(), nanos::get);
+            new DrawingLoop(skies, new MeshCache(SceneMeshes.reader(skies::warn)), substitute.offer(), nanos::get);
     private final Scene scene = WindowScenes.tiny();
     private Thread thread;
     private long requests;
@@ -97,7 +100,7 @@ class DrawingLoopTest {
 
         assertThat(picture.frame().argb()).hasSize(WIDTH * HEIGHT).containsOnly(GREEN);
         // Told after the picture.
-        await(() -> loop.status().equals(DrawingStatus.QUIET));
+        await(() -> loop.status().equals(DrawingLoop.Status.QUIET));
     }
 
     @Test
@@ -491,7 +494,7 @@ class DrawingLoopTest {
         List<Integer> samples = new CopyOnWriteArrayList<>();
         loop.watch(picture -> samples.add(picture.samples()));
         loop.request(new DrawingRequest(
-                2, 1, scene, LARGE_WIDTH, LARGE_HEIGHT, chosen, Refinement.to(16), Motion.NONE, Picture.REFLECTIONS));
+                2, 1, scene, LARGE_WIDTH, LARGE_HEIGHT, chosen, Refinement.to(16), Motion.NONE, StageOrView.BEAUTY));
 
         await(() -> !samples.isEmpty());
         // What is clicked in the one before is of no scene any more, and more samples take as much longer.
@@ -537,7 +540,7 @@ class DrawingLoopTest {
                 chosen,
                 Refinement.to(1),
                 motion,
-                Picture.REFLECTIONS);
+                StageOrView.BEAUTY);
     }
 
     private void beSlow(TestEngine.Kind kind) {
@@ -617,7 +620,7 @@ class DrawingLoopTest {
     private void request(Scene wanted, int refineTo, Motion motion) {
         requests++;
         loop.request(new DrawingRequest(
-                requests, 0, wanted, WIDTH, HEIGHT, chosen, Refinement.to(refineTo), motion, Picture.REFLECTIONS));
+                requests, 0, wanted, WIDTH, HEIGHT, chosen, Refinement.to(refineTo), motion, StageOrView.BEAUTY));
     }
 
     private DrawnPicture awaitAnswer() {

@@ -5,13 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.WindowScenes;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
+import dev.twister.gui.drawing.DrawingRequest.Motion;
+import dev.twister.gui.drawing.DrawingRequest.Refinement;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
 import dev.twister.world.SceneMeshes;
+import dev.twister.world.StageOrView;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -37,9 +40,9 @@ class PathPreviewTest {
     private final AtomicLong nanos = new AtomicLong();
     private final Turns turns = new Turns();
     private final EngineOffer paced = EngineOffer.working("paced", "a test", "gray", Paced::new);
-    private final SkyShelf skies = new SkyShelf();
+    private final ImageCache skies = new ImageCache();
     private final DrawingLoop loop =
-            new DrawingLoop(skies, new MeshShelf(SceneMeshes.reader(skies::warn)), paced, nanos::get);
+            new DrawingLoop(skies, new MeshCache(SceneMeshes.reader(skies::warn)), paced, nanos::get);
     private final Scene scene = traced(WindowScenes.tiny());
     private long requests;
 
@@ -214,7 +217,7 @@ class PathPreviewTest {
                 new EngineChoice(0, paced),
                 Refinement.to(refineTo),
                 motion,
-                Picture.REFLECTIONS));
+                StageOrView.BEAUTY));
     }
 
     private DrawnPicture await(Predicate<DrawnPicture> wanted) {

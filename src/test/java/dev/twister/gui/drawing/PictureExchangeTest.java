@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.WindowScenes;
+import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
+import dev.twister.gui.drawing.DrawnPicture.Gathered;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;

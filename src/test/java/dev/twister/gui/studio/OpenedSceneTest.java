@@ -3,7 +3,6 @@ package dev.twister.gui.studio;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.Gui;
-import dev.twister.gui.model.FileMark;
 import dev.twister.scene.Scene;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -17,7 +16,7 @@ class OpenedSceneTest {
         OpenedScene opened = OpenedScene.readUnder(sky, SCENE);
         Scene own = OpenedScene.read(SCENE).scene();
         assertThat(opened.scene()).isEqualTo(own.withSky(own.sky().withFile(sky.toAbsolutePath())));
-        assertThat(opened.file().mark()).isEqualTo(FileMark.of(SCENE)).isNotEqualTo(FileMark.NONE);
+        assertThat(opened.file().mark()).isEqualTo(EditedFile.Digest.of(SCENE)).isNotEqualTo(EditedFile.Digest.NONE);
         assertThat(Gui.isPanorama(sky)).isTrue();
         assertThat(Gui.isPanorama(SCENE)).isFalse();
         assertThat(Gui.isPanorama(Path.of("missing.hdr"))).isFalse();

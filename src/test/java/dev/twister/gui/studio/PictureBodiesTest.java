@@ -2,7 +2,7 @@ package dev.twister.gui.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rgb;

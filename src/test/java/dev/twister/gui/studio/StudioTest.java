@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.WindowScenes;
 import dev.twister.gui.drawing.DrawingRequest;
-import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.RefinementGoal;
+import dev.twister.gui.drawing.RefinementGoal;
+import dev.twister.gui.edit.BodyEdits;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraView;
@@ -16,7 +16,7 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
-import dev.twister.world.CameraMotion;
+import dev.twister.world.animation.CameraMotion;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -111,7 +111,7 @@ class StudioTest {
     void cameraThatMovesKeepsItsLens() {
         studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.1).withFocusDistance(3)));
         studio.moveCamera(camera -> camera.withYawDegrees(90));
-        studio.hand().goHome();
+        studio.cameraControl().goHome();
         assertThat(studio.scene().camera())
                 .isEqualTo(scene.camera().withAperture(0.1).withFocusDistance(3));
         studio.undo();
@@ -121,11 +121,11 @@ class StudioTest {
     @Test
     void aViewHasALensOfItsOwn() {
         studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.1)));
-        studio.hand().keepView(1);
+        studio.cameraControl().keepView(1);
         studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.2)));
         studio.moveCamera(camera -> camera.withYawDegrees(90));
 
-        studio.hand().recallView(1);
+        studio.cameraControl().recallView(1);
 
         assertThat(studio.scene().camera()).isEqualTo(scene.camera().withAperture(0.1));
         assertThat(studio.document().editsProperty().get().undoable()).contains("lens");
@@ -136,10 +136,10 @@ class StudioTest {
         studio.setViewSize(SIDE, SIDE);
         long requests = studio.lastRequest();
         for (int digit = 1; digit <= 9; digit++) {
-            studio.hand().keepView(digit);
+            studio.cameraControl().keepView(digit);
         }
-        studio.hand().keepView(0);
-        studio.hand().keepView(0);
+        studio.cameraControl().keepView(0);
+        studio.cameraControl().keepView(0);
 
         assertThat(studio.scene().views()).hasSize(10);
         assertThat(studio.scene().views().get(9)).isEqualTo(new CameraView("View 10", scene.camera()));
@@ -153,10 +153,10 @@ class StudioTest {
 
     @Test
     void aNumberKeyReplacesItsViewOrAddsOneBehindTheLast() {
-        studio.hand().keepView(5);
+        studio.cameraControl().keepView(5);
         assertThat(studio.noticeProperty().get()).isEqualTo("View kept under 1: View 1");
         studio.moveCamera(camera -> camera.withYawDegrees(90));
-        studio.hand().keepView(1);
+        studio.cameraControl().keepView(1);
 
         assertThat(studio.scene().views())
                 .containsExactly(new CameraView("View 1", scene.camera().withYawDegrees(90)));

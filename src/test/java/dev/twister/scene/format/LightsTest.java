@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -1,8 +1,8 @@
 package dev.twister.scene.format;
 
 import dev.twister.scene.Material;
-import dev.twister.scene.Range;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.property.Range;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

@@ -2,8 +2,8 @@ package dev.twister.scene.format;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
+import dev.twister.scene.property.Range;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -8,7 +8,7 @@ import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
-import dev.twister.scene.Tag;
+import dev.twister.scene.select.Tag;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

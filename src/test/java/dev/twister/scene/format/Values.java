@@ -1,7 +1,7 @@
 package dev.twister.scene.format;
 
-import dev.twister.scene.Range;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.property.Range;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;

@@ -1,11 +1,11 @@
 package dev.twister.scene.format;
 
 import dev.twister.scene.Camera;
-import dev.twister.scene.Pour;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.generate.Pour;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -5,7 +5,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.kernel.Variant;
 import dev.twister.scene.Rendering;
-import dev.twister.world.SphereHierarchy;
+import dev.twister.world.hierarchy.SphereHierarchy;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 import uk.ac.manchester.tornado.api.types.arrays.FloatArray;

@@ -5,9 +5,9 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
-import dev.twister.world.Picture;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
+import dev.twister.world.StageOrView;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.stream.Stream;
@@ -22,12 +22,12 @@ class ViewsOnDeviceTest {
 
     static Stream<Object[]> picturesOnDevices() {
         return Devices.namedOffers().stream()
-                .flatMap(offer -> Stream.of(Picture.values()).map(picture -> new Object[] {picture, offer}));
+                .flatMap(offer -> Stream.of(StageOrView.values()).map(picture -> new Object[] {picture, offer}));
     }
 
     @ParameterizedTest(name = "{0} on {1}")
     @MethodSource("picturesOnDevices")
-    void isSequentials(Picture picture, EngineOffer offer) {
+    void isSequentials(StageOrView picture, EngineOffer offer) {
         for (int spheres : new int[] {FEW, MANY}) {
             World world = SceneSamples.world(11, spheres);
             world.setSettings(Rendering.DEFAULT
@@ -67,12 +67,12 @@ class ViewsOnDeviceTest {
     static Stream<Object[]> picturesOfMeshesOnDevices() {
         return Devices.namedOffers().stream()
                 .flatMap(offer ->
-                        Stream.of(Picture.SHADOW, Picture.TESTS).map(picture -> new Object[] {picture, offer}));
+                        Stream.of(StageOrView.SHADOW, StageOrView.TESTS).map(picture -> new Object[] {picture, offer}));
     }
 
     @ParameterizedTest(name = "{0} of meshes on {1}")
     @MethodSource("picturesOfMeshesOnDevices")
-    void ofMeshesIsSequentials(Picture picture, EngineOffer offer) {
+    void ofMeshesIsSequentials(StageOrView picture, EngineOffer offer) {
         Scene scene = SceneReader.read(Path.of("scenes/gallery.json"));
         SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
         World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);

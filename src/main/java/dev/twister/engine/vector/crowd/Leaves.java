@@ -24,7 +24,7 @@ public final class Leaves {
     private final float[] entries = new float[Lanes.BORDER + Lanes.COUNT];
 
     /**
-     * Finds the leaves. For beams that meet many leaves, a {@link Descent} to the nearest first is faster.
+     * Finds the leaves. For beams that meet many leaves, a {@link BeamStack} to the nearest first is faster.
      *
      * @param most largest accepted number of leaves, at most {@value #ROOM}
      * @return whether the number of leaves is within {@code most}

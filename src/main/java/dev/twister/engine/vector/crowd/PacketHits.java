@@ -29,7 +29,7 @@ public final class PacketHits {
     private PacketHits() {}
 
     /** Writes the bodies hit and their distances. */
-    public static void find(Tile tile, Drawing drawing, Walks walks) {
+    public static void find(Tile tile, Drawing drawing, TraversalMemory walks) {
         tile.lonely.clear();
         tile.together.clear();
         for (int k = 0; k < tile.live.count; k++) {
@@ -62,7 +62,7 @@ public final class PacketHits {
         }
     }
 
-    private static void walkTogether(Drawing drawing, Tile tile, Walks walks) {
+    private static void walkTogether(Drawing drawing, Tile tile, TraversalMemory walks) {
         walks.beam.holdRays(tile, 0, tile.together.count);
         walks.beam.endAt(Beam.EVERYWHERE);
         if (walks.entrance.find(drawing.hierarchy, walks.beam)) {
@@ -73,10 +73,10 @@ public final class PacketHits {
     }
 
     /** Traverses one packet from the tile's entrance. */
-    private static void walkTogether(Drawing drawing, Tile tile, Walks walks, int number) {
+    private static void walkTogether(Drawing drawing, Tile tile, TraversalMemory walks, int number) {
         int at = tile.together.places[number];
         Beam beam = walks.beam;
-        Descent descent = walks.descent;
+        BeamStack descent = walks.descent;
         WideHierarchy hierarchy = drawing.hierarchy;
         beam.holdRays(tile, number, number + 1);
         beam.endAt(farthest(tile, at));
@@ -106,7 +106,7 @@ public final class PacketHits {
     }
 
     /** Traverses {@code count} single rays, beginning with index {@code first}. */
-    private static void walkAlone(Drawing drawing, Tile tile, Walks walks, int first, int count) {
+    private static void walkAlone(Drawing drawing, Tile tile, TraversalMemory walks, int first, int count) {
         PacketLeaves leaves = walks.packetLeaves;
         walks.packetBeams.holdRays(tile.values, tile.lonely.pixels, first);
         boolean found = leaves.find(drawing.hierarchy, walks.packetBeams, count);
@@ -121,11 +121,11 @@ public final class PacketHits {
     }
 
     /** Tests one ray against the spheres of the leaves that it meets before its closest hit, nearest leaf first. */
-    private static void descend(Drawing drawing, Tile tile, Walks walks, int first, int number) {
+    private static void descend(Drawing drawing, Tile tile, TraversalMemory walks, int first, int number) {
         float[] t = tile.values;
         int pixel = tile.lonely.pixels[first + number];
         Beam beam = walks.beam;
-        Descent descent = walks.descent;
+        BeamStack descent = walks.descent;
         WideHierarchy hierarchy = drawing.hierarchy;
         beam.holdRay(t, pixel);
         beam.endAt(t[pixel + Tile.DISTANCE]);
@@ -140,7 +140,7 @@ public final class PacketHits {
     }
 
     /** Resets the hits; rays that have ended get distance 0. Returns one bit per ray that continues. */
-    static long start(Tile tile, int at) {
+    public static long start(Tile tile, int at) {
         float[] t = tile.values;
         VectorMask<Float> goesOn =
                 FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f);

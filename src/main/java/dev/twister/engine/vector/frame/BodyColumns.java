@@ -62,7 +62,7 @@ public final class BodyColumns {
     private FrameInput source;
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
-    void take(FrameInput input) {
+    public void take(FrameInput input) {
         boolean sameSpheres = source != null
                 && source.bodyCount() == input.bodyCount()
                 && source.bodies().hasHierarchyOf(input.bodies())

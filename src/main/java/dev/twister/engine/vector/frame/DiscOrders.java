@@ -39,7 +39,7 @@ public final class DiscOrders {
     private int count;
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
-    void take(float[] disc, int newCount) {
+    public void take(float[] disc, int newCount) {
         if (source != disc || count != newCount) {
             source = disc;
             count = newCount;

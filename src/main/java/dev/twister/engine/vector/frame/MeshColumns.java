@@ -31,7 +31,7 @@ public final class MeshColumns {
 
     float highest;
 
-    void take(FrameInput input) {
+    public void take(FrameInput input) {
         int first = input.bodies().firstMesh();
         count = first > 0 ? input.bodyEnd() - Math.max(input.bodyCount(), first) : 0;
         firstBody = count > 0 ? first : ABOVE_ALL;

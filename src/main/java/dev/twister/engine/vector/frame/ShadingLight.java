@@ -37,7 +37,7 @@ public final class ShadingLight {
      * @param bodies the same frame's bodies
      * @param planeHeight in meters
      */
-    void take(FrameInput input, int index, BodyColumns bodies, float planeHeight) {
+    public void take(FrameInput input, int index, BodyColumns bodies, float planeHeight) {
         body = input.light(index);
         x = input.bodies().center(body, 0);
         y = input.bodies().center(body, 1);

@@ -34,7 +34,7 @@ final class ConeTriangles {
      *
      * @param lanes one bit per lane, at least one
      */
-    boolean find(Drawing drawing, Tile tile, int at, MeshBench bench, long lanes) {
+    boolean find(Drawing drawing, Tile tile, int at, MeshMemory bench, long lanes) {
         Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.floats();
         count = 0;

@@ -3,6 +3,7 @@ package dev.twister.engine.vector.mesh;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Coincidence;
 import dev.twister.kernel.Instance;
 import dev.twister.kernel.Layout;
 import dev.twister.world.Bodies;
@@ -14,13 +15,13 @@ public final class MeshHits {
     private MeshHits() {}
 
     /** Replaces hits and distances of the live rays where a mesh is closer, and writes instances and triangles. */
-    public static void find(Drawing drawing, Tile tile, MeshBench bench) {
+    public static void find(Drawing drawing, Tile tile, MeshMemory bench) {
         for (int k = 0; k < tile.live.count; k++) {
             find(drawing, tile, bench, tile.live.places[k]);
         }
     }
 
-    private static void find(Drawing drawing, Tile tile, MeshBench bench, int at) {
+    private static void find(Drawing drawing, Tile tile, MeshMemory bench, int at) {
         Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.floats();
         PacketWalk world = bench.world;
@@ -38,7 +39,7 @@ public final class MeshHits {
     }
 
     /** Copies the packet's rays to a traversal; returns the first live lane, or a negative number if there is none. */
-    static long start(Tile tile, PacketWalk walk, int at) {
+    public static long start(Tile tile, PacketWalk walk, int at) {
         float[] t = tile.values;
         float[] r = walk.rays;
         for (int axis = 0; axis < 3; axis++) {
@@ -56,7 +57,7 @@ public final class MeshHits {
         return lanes == 0L ? -1 : Long.numberOfTrailingZeros(lanes);
     }
 
-    private static void meet(Drawing drawing, Tile tile, MeshBench bench, int at, int number) {
+    private static void meet(Drawing drawing, Tile tile, MeshMemory bench, int at, int number) {
         Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.floats();
         PacketWalk mesh = bench.mesh;
@@ -89,12 +90,50 @@ public final class MeshHits {
     }
 
     /** Starts the traversal of an instance's triangles; returns one bit per axis that is dominant for any ray. */
-    static int enter(Bodies bodies, Tile tile, MeshBench bench, int instance) {
+    static int enter(Bodies bodies, Tile tile, MeshMemory bench, int instance) {
         float[] hierarchy = bodies.floats();
         PacketWalk mesh = bench.mesh;
         mesh.start(bodies.meshes(), Instance.nodes(hierarchy, instance));
         InstanceLanes.transform(tile, bench.world, mesh, hierarchy, instance + Layout.INSTANCE_TO_MESH);
         BoxLanes.aim(tile, mesh);
         return (int) InstanceLanes.shear(tile, mesh);
+    }
+
+    /** Decides lane by lane between hits that may be in one place: {@link Coincidence}. */
+    private static final class CoincidentHits {
+        private CoincidentHits() {}
+
+        /**
+         * Writes the triangle as the hit of those rays for which it replaces the closest one so far.
+         *
+         * @param close one bit per ray, with its distance to the triangle in {@link PacketWalk#MET}
+         * @param number the triangle's instance
+         */
+        static void decide(Drawing drawing, Tile tile, MeshMemory bench, int at, long close, int triangle, int number) {
+            Bodies bodies = drawing.input.bodies();
+            float[] frame = drawing.input.view().frame();
+            float[] hierarchy = bodies.floats();
+            float[] t = tile.values;
+            float[] r = bench.mesh.rays;
+            float[] path = bench.path;
+            int instance = Instance.at(number, bodies.instances(), hierarchy);
+            for (long rest = close; rest != 0L; rest &= rest - 1) {
+                int lane = Long.numberOfTrailingZeros(rest);
+                int pixel = at + lane;
+                float met = r[PacketWalk.MET + lane];
+                path[Layout.INSTANCE] = t[pixel + Tile.INSTANCE];
+                path[Layout.TRIANGLE] = t[pixel + Tile.TRIANGLE];
+                int hit = (int) t[pixel + Tile.HIT];
+                float end = r[PacketWalk.END + lane];
+                if (Coincidence.replaces(path, hit, end, met, number, triangle, frame, hierarchy, bodies.meshes())
+                        != 0) {
+                    r[PacketWalk.END + lane] = met;
+                    t[pixel + Tile.DISTANCE] = met;
+                    t[pixel + Tile.HIT] = hierarchy[instance + Layout.INSTANCE_BODY];
+                    t[pixel + Tile.INSTANCE] = number;
+                    t[pixel + Tile.TRIANGLE] = triangle;
+                }
+            }
+        }
     }
 }

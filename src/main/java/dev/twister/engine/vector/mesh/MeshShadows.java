@@ -25,7 +25,7 @@ public final class MeshShadows {
      * Sets the visible part to 0 where meshes block all samples. Where they block some, or a part of some, writes the
      * sum of these parts and lists the packet. Packets without open lanes are removed from {@link Tile#shadows}.
      */
-    public static void find(Drawing drawing, Tile tile, MeshBench bench) {
+    public static void find(Drawing drawing, Tile tile, MeshMemory bench) {
         tile.meshShadows.clear();
         ShadowCandidates.findDiscs(tile, drawing);
         int kept = 0;
@@ -54,7 +54,7 @@ public final class MeshShadows {
     }
 
     /** Tests the samples of one packet; returns one bit per lane that is still open. */
-    private static long find(Drawing drawing, Tile tile, MeshBench bench, int at, long open) {
+    private static long find(Drawing drawing, Tile tile, MeshMemory bench, int at, long open) {
         int samples = drawing.shadowSamples;
         ShadowLines.findAxes(tile, at, drawing, bench);
         boolean listed = samples >= FEWEST_IN_CONES && bench.listed.find(drawing, tile, at, bench, open);
@@ -72,7 +72,7 @@ public final class MeshShadows {
     }
 
     /** Sums up what the listed triangles block; returns one bit per lane with any. */
-    private static long project(Drawing drawing, Tile tile, MeshBench bench, int at) {
+    private static long project(Drawing drawing, Tile tile, MeshMemory bench, int at) {
         Bodies bodies = drawing.input.bodies();
         ConeTriangles listed = bench.listed;
         int samples = drawing.shadowSamples;
@@ -92,7 +92,7 @@ public final class MeshShadows {
 
     /** Marks the samples that triangles of an instance block; returns whether there may be any. */
     private static boolean project(
-            Drawing drawing, Tile tile, MeshBench bench, int at, int instance, int first, int end) {
+            Drawing drawing, Tile tile, MeshMemory bench, int at, int instance, int first, int end) {
         Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.floats();
         PacketWalk mesh = bench.mesh;
@@ -129,7 +129,7 @@ public final class MeshShadows {
     }
 
     /** As {@link #project}, sample by sample past all triangles. */
-    private static long walk(Drawing drawing, Tile tile, MeshBench bench, int at, long open) {
+    private static long walk(Drawing drawing, Tile tile, MeshMemory bench, int at, long open) {
         Arrays.fill(bench.blocked, 0f);
         long dimmed = 0L;
         for (int sample = 0; sample < drawing.shadowSamples; sample++) {
@@ -142,7 +142,7 @@ public final class MeshShadows {
     }
 
     /** Ends the lines that opaque bodies block, and dims those that pass others. */
-    private static void walk(Drawing drawing, Tile tile, MeshBench bench, int at) {
+    private static void walk(Drawing drawing, Tile tile, MeshMemory bench, int at) {
         Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.floats();
         PacketWalk world = bench.world;
@@ -160,7 +160,7 @@ public final class MeshShadows {
         }
     }
 
-    private static long meet(Bodies bodies, Tile tile, MeshBench bench, int at, int instance, int body) {
+    private static long meet(Bodies bodies, Tile tile, MeshMemory bench, int at, int instance, int body) {
         float[] hierarchy = bodies.floats();
         PacketWalk mesh = bench.mesh;
         int axes = MeshHits.enter(bodies, tile, bench, instance);

@@ -15,7 +15,7 @@ public final class MeshSurfaceLanes {
     private MeshSurfaceLanes() {}
 
     /** Lists the packets with mesh hits, and writes hit points, normals and face normals. */
-    public static void find(Drawing drawing, Tile tile, MeshBench bench) {
+    public static void find(Drawing drawing, Tile tile, MeshMemory bench) {
         Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.floats();
         tile.meshes.clear();
@@ -48,7 +48,7 @@ public final class MeshSurfaceLanes {
                 .toLong();
     }
 
-    private static void find(Drawing drawing, Tile tile, MeshBench bench, int at, long lanes, int instance) {
+    private static void find(Drawing drawing, Tile tile, MeshMemory bench, int at, long lanes, int instance) {
         Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.floats();
         PacketWalk world = bench.world;

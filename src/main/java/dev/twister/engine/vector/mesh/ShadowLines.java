@@ -17,7 +17,7 @@ final class ShadowLines {
     private ShadowLines() {}
 
     /** Writes each point's disc axes and the origins of its lines. */
-    static void findAxes(Tile tile, int at, Drawing drawing, MeshBench bench) {
+    static void findAxes(Tile tile, int at, Drawing drawing, MeshMemory bench) {
         ShadowFrame.findAxes(tile, at, drawing, bench.shadows.columns);
         float[] t = tile.values;
         for (int axis = 0; axis < 3; axis++) {
@@ -31,7 +31,7 @@ final class ShadowLines {
      *
      * @param lanes one bit per lane, at least one
      */
-    static long aim(Tile tile, int at, MeshBench bench, long lanes, float discX, float discY) {
+    static long aim(Tile tile, int at, MeshMemory bench, long lanes, float discX, float discY) {
         float[] t = tile.values;
         float[] r = bench.world.rays;
         float[] frame = bench.shadows.columns.frame;
@@ -61,7 +61,7 @@ final class ShadowLines {
     }
 
     /** Dims and resumes the lines that have met a transmitting body. */
-    static void pass(Tile tile, MeshBench bench, long lanes, float transmission) {
+    static void pass(Tile tile, MeshMemory bench, long lanes, float transmission) {
         float[] r = bench.world.rays;
         VectorMask<Float> met = VectorMask.fromLong(Lanes.FLOATS, lanes);
         FloatVector light = FloatVector.fromArray(Lanes.FLOATS, bench.light, Lanes.BORDER);
@@ -72,7 +72,7 @@ final class ShadowLines {
     /**
      * Adds the blocked parts of the lines, which in lanes without one is all; returns one bit per line that is dimmed.
      */
-    static long count(Tile tile, MeshBench bench) {
+    static long count(Tile tile, MeshMemory bench) {
         VectorMask<Float> ended = FloatVector.fromArray(Lanes.FLOATS, bench.world.rays, PacketWalk.END)
                 .compare(VectorOperators.LT, 0f);
         FloatVector light =
@@ -84,14 +84,14 @@ final class ShadowLines {
     }
 
     /** One bit per lane in which all samples are blocked. */
-    static long hidden(Tile tile, MeshBench bench, int samples) {
+    static long hidden(Tile tile, MeshMemory bench, int samples) {
         return FloatVector.fromArray(Lanes.FLOATS, bench.blocked, Lanes.BORDER)
                 .compare(VectorOperators.GE, samples)
                 .toLong();
     }
 
     /** Closes the lanes in full shadow, and writes the blocked samples of partly shaded lanes. */
-    static void finish(Tile tile, int at, MeshBench bench, long dark, long part) {
+    static void finish(Tile tile, int at, MeshMemory bench, long dark, long part) {
         float[] t = tile.values;
         FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.VISIBLE)
                 .blend(0f, VectorMask.fromLong(Lanes.FLOATS, dark))

@@ -41,7 +41,7 @@ public final class ShadowCandidates {
      * @param at the packet's place
      * @return whether any lane is still open
      */
-    static boolean find(Tile tile, int at, BodyColumns bodies, ShadowColumns scratch) {
+    public static boolean find(Tile tile, int at, BodyColumns bodies, ShadowColumns scratch) {
         BodyList candidates = scratch.tileCandidates;
         float[] t = tile.values;
         scratch.startPacket();
@@ -59,7 +59,7 @@ public final class ShadowCandidates {
     }
 
     /** As above, among the spheres near the packet's lines, at most {@link ShadowColumns#MOST_TOGETHER}. */
-    static boolean findAmong(SphereColumns near, int count, Tile tile, int at, Drawing drawing, ShadowBench bench) {
+    static boolean findAmong(SphereColumns near, int count, Tile tile, int at, Drawing drawing, ShadowMemory bench) {
         ShadowColumns scratch = bench.columns;
         scratch.startPacket();
         betweens(tile, at, near, count, bench.columns.betweens);
@@ -73,7 +73,7 @@ public final class ShadowCandidates {
         return finish(tile, at, bench.columns) != 0;
     }
 
-    private static void judge(Drawing drawing, Tile tile, ShadowBench bench, int at, int body, long between) {
+    private static void judge(Drawing drawing, Tile tile, ShadowMemory bench, int at, int body, long between) {
         long shaded = between & isOutside(tile, at, drawing.bodies, body);
         if (shaded != 0) {
             bench.columns.add(body, shaded, hidesDisc(tile, at, drawing.bodies, body));
@@ -122,7 +122,7 @@ public final class ShadowCandidates {
     }
 
     /** Sets the visible part of fully shaded lanes to 0; returns one bit per lane that is still open. */
-    static long finish(Tile tile, int at, ShadowColumns scratch) {
+    public static long finish(Tile tile, int at, ShadowColumns scratch) {
         float[] t = tile.values;
         long undecided = scratch.touched & ~scratch.dark;
         close(t, at, scratch.dark, undecided);

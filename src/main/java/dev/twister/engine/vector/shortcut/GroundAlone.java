@@ -37,7 +37,7 @@ public final class GroundAlone {
      * quadrilateral; it lies in the plane's square if its corners do. In that case {@code ground} is set to start
      * around it.
      */
-    static View view(Tile tile, Drawing drawing, Hull ground) {
+    static View view(Tile tile, Drawing drawing, BoundingCone ground) {
         float[] camera = drawing.input.view().frame();
         float down = drawing.planeHeight - camera[Layout.CAMERA_POSITION + 1];
         boolean meets = true;

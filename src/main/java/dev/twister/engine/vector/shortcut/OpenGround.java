@@ -69,7 +69,7 @@ public final class OpenGround {
     }
 
     /** Writes the view rays' hit points on the plane. */
-    static void meet(Tile tile, Drawing drawing) {
+    public static void meet(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.view().frame();
         View view = drawing.input.view();
         float step = drawing.viewportStep;
@@ -144,7 +144,7 @@ public final class OpenGround {
     }
 
     /** Raises the highlight's cosines to the exponent (squared ones to half of it), and applies their weight. */
-    static void raise(Tile tile, Drawing drawing) {
+    public static void raise(Tile tile, Drawing drawing) {
         int whole = power(drawing);
         int power = whole % 2 == 0 ? whole / 2 : whole;
         float shine = (whole + 8f) * Illumination.INVERSE_EIGHT_PI * whole * (1f / Layout.MAX_REFLECTIVITY);
@@ -184,7 +184,7 @@ public final class OpenGround {
     }
 
     /** Adds the ground's color, and writes the throughput of the reflected rays. */
-    static void shade(Tile tile, Drawing drawing) {
+    public static void shade(Tile tile, Drawing drawing) {
         float[] values = drawing.input.view().frame();
         BodyColumns bodies = drawing.bodies;
         float ambient = drawing.ambient;

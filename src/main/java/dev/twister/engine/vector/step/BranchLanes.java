@@ -57,7 +57,7 @@ public final class BranchLanes {
     }
 
     /** Writes the tints of the reflected rays; returns one bit per ray that continues. */
-    static long reflect(Tile tile, int at) {
+    public static long reflect(Tile tile, int at) {
         float[] t = tile.values;
         FloatVector part = Lanes.load(t, at + Tile.THROUGHPUT);
         FloatVector red = part.mul(Lanes.load(t, at + Tile.TINT_RED)).mul(Lanes.load(t, at + Tile.SHEEN_RED));

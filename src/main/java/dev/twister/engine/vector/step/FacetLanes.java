@@ -35,7 +35,7 @@ public final class FacetLanes {
     }
 
     /** Turns the normals toward the rays' origins. */
-    static void face(Tile tile, PacketList packets) {
+    public static void face(Tile tile, PacketList packets) {
         float[] t = tile.values;
         for (int k = 0; k < packets.count; k++) {
             int at = packets.places[k];

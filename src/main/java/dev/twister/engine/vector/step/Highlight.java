@@ -46,7 +46,7 @@ public final class Highlight {
      * Writes the factors for the cosines' powers, 0 in lanes without a highlight. Lists the packets with highlights by
      * the kind of their exponents, and sets the specular column of the others to 0.
      */
-    static void sort(Tile tile) {
+    public static void sort(Tile tile) {
         tile.onePower.clear();
         tile.wholePowers.clear();
         tile.fractionPowers.clear();

@@ -47,7 +47,7 @@ public final class LightDirection {
     }
 
     /** Sets the visible part to 1, and lists the packets with lanes where a shadow would be visible. */
-    static void sort(Tile tile, float ambient) {
+    public static void sort(Tile tile, float ambient) {
         tile.shadows.clear();
         float[] t = tile.values;
         for (int k = 0; k < tile.surfaces.count; k++) {

@@ -133,7 +133,7 @@ public final class SkyRadiance {
     }
 
     /** Adds the interpolated radiance to the lanes that hit nothing. */
-    static void add(Tile tile, PaddedSky sky) {
+    public static void add(Tile tile, PaddedSky sky) {
         for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
             add(sky.strength, Tile.RED + channel * Tile.SIZE, Tile.CORNERS * channel * Tile.SIZE, tile);
         }

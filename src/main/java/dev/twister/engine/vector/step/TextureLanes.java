@@ -210,7 +210,7 @@ public final class TextureLanes {
     }
 
     /** Multiplies the albedo by the interpolated color. */
-    static void multiply(Tile tile) {
+    public static void multiply(Tile tile) {
         for (int channel = 0; channel < CHANNELS; channel++) {
             multiply(tile.values, tile.cornerNumbers, channel, tile);
         }

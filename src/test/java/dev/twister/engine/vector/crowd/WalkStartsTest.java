@@ -21,7 +21,7 @@ final class WalkStartsTest {
 
     private final WideHierarchy hierarchy = new WideHierarchy();
     private final Tile tile = new Tile();
-    private final Walks walks = new Walks();
+    private final TraversalMemory walks = new TraversalMemory();
     private final Random random = new Random(5);
 
     @BeforeEach

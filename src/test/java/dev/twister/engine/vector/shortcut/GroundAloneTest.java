@@ -8,12 +8,12 @@ import dev.twister.image.Frame;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Shading;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
 import dev.twister.sky.Skybox;
 import dev.twister.world.World;
 import java.nio.file.Path;
@@ -25,7 +25,7 @@ final class GroundAloneTest {
 
     private final Drawing drawing = new Drawing();
     private final Tile tile = new Tile();
-    private final Hull ground = new Hull();
+    private final BoundingCone ground = new BoundingCone();
 
     @Test
     void theGroundFillsTilesWithinItsEdges() {

@@ -2,12 +2,12 @@ package dev.twister.engine.vector.shortcut;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.engine.vector.crowd.Walks;
+import dev.twister.engine.vector.crowd.TraversalMemory;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.ShadowColumns;
 import dev.twister.engine.vector.lanes.Tile;
-import dev.twister.engine.vector.shadow.ShadowBench;
+import dev.twister.engine.vector.shadow.ShadowMemory;
 import dev.twister.engine.vector.shadow.Shadows;
 import dev.twister.image.Frame;
 import dev.twister.scene.Scene;
@@ -28,7 +28,7 @@ final class ShadowRangeTest {
     private static final Scene SCENE = SceneReader.read(Path.of("scenes/teaching.json"));
 
     private final Tile tile = new Tile();
-    private final ShadowBench bench = new ShadowBench(new Walks());
+    private final ShadowMemory bench = new ShadowMemory(new TraversalMemory());
     private final ShadowColumns scratch = bench.columns;
     private final Random random = new Random(20261123);
 

@@ -1,6 +1,0 @@
-package dev.twister.bench;
-
-import dev.twister.world.World;
-
-/** A scene for comparing pictures; the check overrides its picture size. */
-public record CheckedScene(String name, World world) {}

@@ -1,0 +1,185 @@
+package dev.twister.bench.benchmark;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.engine.Engines;
+import dev.twister.engine.SettlingFrames;
+import dev.twister.engine.UnknownEngineException;
+import dev.twister.engine.auto.FastestEngine;
+import dev.twister.image.Frame;
+import dev.twister.image.PictureSize;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
+
+/** Measures engines one after the other and compares their pictures with the reference's. */
+public final class Benchmark {
+    private final Function<String, Engine> opener;
+    private final BenchmarkPlan plan;
+    private final String scene;
+    private final World world;
+    private final Optional<MotionPlan> motion;
+    private final BenchmarkProgress progress;
+    private final MachineInfo machine = MachineInfo.ofThisMachine();
+    private final Map<Setting, Frame> references = new HashMap<>();
+    private final List<Measurement> measurements = new ArrayList<>();
+    private final List<EngineFailure> failures = new ArrayList<>();
+
+    private Benchmark(
+            Function<String, Engine> opener,
+            BenchmarkPlan plan,
+            String scene,
+            World world,
+            Optional<MotionPlan> motion,
+            BenchmarkProgress progress) {
+        this.opener = opener;
+        this.plan = plan;
+        this.scene = scene;
+        this.world = world;
+        this.motion = motion;
+        this.progress = progress;
+    }
+
+    /**
+     * Opens an engine for measurement. {@value FastestEngine#AUTO} is resolved before, because frames of its stand-in
+     * would be measured as its own.
+     *
+     * @throws UnknownEngineException if no engine has that name
+     * @throws EngineException if the engine cannot be opened
+     */
+    public static Engine open(String id) {
+        return id.equals(FastestEngine.AUTO)
+                ? FastestEngine.ofThisMachine().openMeasured(Engines.offers())
+                : Engines.open(id);
+    }
+
+    /**
+     * Runs the plan. If an engine fails, the report says so, and the others are measured.
+     *
+     * @param opener opens an engine by its id
+     * @param scene name of the world's scene in the report
+     * @param world the plan overrides its settings' size, samples and bounces
+     * @param motion how its bodies move, if they do; each engine starts anew at each setting
+     * @throws EngineException if the reference cannot be rendered
+     */
+    public static BenchmarkReport run(
+            Function<String, Engine> opener,
+            BenchmarkPlan plan,
+            String scene,
+            World world,
+            Optional<MotionPlan> motion,
+            BenchmarkProgress progress) {
+        Benchmark benchmark = new Benchmark(opener, plan, scene, world, motion, progress);
+        if (motion.isEmpty()) {
+            benchmark.drawReferences();
+        }
+        plan.engines().forEach(benchmark::measure);
+        benchmark.references.keySet().retainAll(plan.shown());
+        return benchmark.report(benchmark.references, true);
+    }
+
+    private BenchmarkReport report(Map<Setting, Frame> pictures, boolean finished) {
+        return new BenchmarkReport(machine, plan, scene, measurements, failures, pictures, finished);
+    }
+
+    private void drawReferences() {
+        try (Engine engine = opener.apply(BenchmarkPlan.REFERENCE)) {
+            for (Setting setting : plan.settings()) {
+                progress.begins("reference", setting.size(), 1);
+                references.put(setting, draw(engine, inputAt(setting)));
+                progress.drewFrame();
+            }
+        }
+    }
+
+    private void measure(String id) {
+        try (Engine engine = opener.apply(id)) {
+            AskedEngine asked = new AskedEngine(id, engine);
+            for (Setting setting : plan.settings()) {
+                measurements.add(measure(asked, setting));
+                progress.found(report(Map.of(), false));
+            }
+        } catch (EngineException failure) {
+            note(new EngineFailure(id, failure.getMessage()));
+        } catch (OutOfMemoryError _) {
+            note(new EngineFailure(id, EngineFailure.outOfMemory()));
+        }
+    }
+
+    private void note(EngineFailure failure) {
+        failures.add(failure);
+        progress.found(report(Map.of(), false));
+    }
+
+    private Measurement measure(AskedEngine asked, Setting setting) {
+        world.setSettings(setting.over(world.settings()));
+        try (MeasuredBodies bodies = new MeasuredBodies(world, motion)) {
+            if (bodies.stepsToStart() > 0) {
+                progress.begins(asked.id() + ", moving to its start,", setting.size(), bodies.stepsToStart());
+            }
+            bodies.moveToStart(progress::drewFrame);
+            // Code compiled at one setting stays compiled for the next ones.
+            if (plan.warmupFrames() > 0 && setting.equals(plan.settings().getFirst())) {
+                List<FrameInput> inputs =
+                        plan.shown().stream().map(this::inputAt).toList();
+                new EngineWarmUp(plan.maxSeconds(), progress).run(asked, setting.size(), inputs);
+                world.setSettings(setting.over(world.settings()));
+            }
+            return new EngineMeasuring(asked, plan, progress)
+                    .measure(setting, bodies, input -> reference(setting, input));
+        }
+    }
+
+    private int[] reference(Setting setting, FrameInput input) {
+        Frame drawn = references.get(setting);
+        if (drawn == null) {
+            try (Engine engine = opener.apply(BenchmarkPlan.REFERENCE)) {
+                drawn = draw(engine, input);
+            }
+        }
+        return drawn.argb();
+    }
+
+    private static Frame draw(Engine engine, FrameInput input) {
+        Frame frame = Frame.ofPixels(input.width(), input.height());
+        engine.render(input, frame);
+        return frame;
+    }
+
+    /** The input at a setting, with the bodies at their current positions. */
+    private FrameInput inputAt(Setting setting) {
+        world.setSettings(setting.over(world.settings()));
+        return world.snapshot();
+    }
+
+    /**
+     * Warms up an engine before its first measured frame. Full-size frames alone are too few for the JIT compiler on a
+     * slow machine.
+     *
+     * @param maxSeconds limit per input; at least one frame is rendered
+     */
+    record EngineWarmUp(double maxSeconds, BenchmarkProgress progress) {
+        private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
+
+        /**
+         * Renders small frames of each input until their times settle. Skipped for devices, which compile no faster
+         * code later; they try work-groups in their first 6 frames, of the size that is measured.
+         */
+        void run(AskedEngine asked, PictureSize size, List<FrameInput> inputs) {
+            if (!asked.isDevice()) {
+                progress.begins(asked.id() + ", warming up,", size, 1);
+                Duration each = Duration.ofNanos((long) (maxSeconds * NANOS_PER_SECOND));
+                inputs.forEach(input ->
+                        new SettlingFrames(asked.engine(), SettlingFrames.small(input)).settle(each, () -> false));
+                progress.drewFrame();
+            }
+        }
+    }
+}

@@ -1,0 +1,106 @@
+package dev.twister.gui.drawing;
+
+import dev.twister.engine.Engine;
+import dev.twister.image.Frame;
+import dev.twister.world.FrameInput;
+import java.nio.IntBuffer;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * The small picture that comes before a slow one. If it gathers samples, it is shown with more and more of them until
+ * the full picture is begun: one sample of a path-traced picture is noise, a few are a picture. Used by one thread.
+ */
+final class Preview {
+    /** A picture that takes longer is preceded by a smaller one. */
+    static final long LONG_NANOS = TimeUnit.MILLISECONDS.toNanos(150);
+
+    /** The time that the smaller one may take. */
+    private static final long QUICK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
+
+    private static final int MOST_DIVISOR = 8;
+    private static final int MOST_DIVISOR_TRACED = 16;
+    private static final int MOST_SAMPLES = 8;
+
+    /** From the first sample on. */
+    private static final long MOST_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
+
+    private final FrameInput input;
+    private final Optional<RefinedPicture> gathered;
+    private final Frame pass;
+    private final long startNanos;
+
+    private Preview(FrameInput input, Optional<RefinedPicture> gathered, Frame pass, long startNanos) {
+        this.input = input;
+        this.gathered = gathered;
+        this.pass = pass;
+        this.startNanos = startNanos;
+    }
+
+    /** A preview that is drawn once. */
+    static Preview once(FrameInput input) {
+        return new Preview(input, Optional.empty(), Frame.ofPixels(1, 1), 0);
+    }
+
+    /**
+     * A preview that gathers samples.
+     *
+     * @param input of the small size, with one sample per pixel
+     * @param continuous whether one sample is enough, because the next picture shows another moment
+     */
+    static Preview gathering(FrameInput input, boolean continuous, long startNanos) {
+        int most = continuous ? 1 : MOST_SAMPLES;
+        return new Preview(
+                input,
+                Optional.of(new RefinedPicture(input.width(), input.height(), most, false)),
+                Frame.ofRadiance(input.width(), input.height()),
+                startNanos);
+    }
+
+    /**
+     * Divisor of the sides of the small picture: 1 if the full picture is fast enough or its time is unknown.
+     *
+     * @param nanos time of the full picture; 0 if unknown
+     */
+    static int divisor(long nanos, boolean traced) {
+        int most = traced ? MOST_DIVISOR_TRACED : MOST_DIVISOR;
+        int divisor = 1;
+        while (nanos > LONG_NANOS && divisor < most && nanos / divisor / divisor > QUICK_NANOS) {
+            divisor *= 2;
+        }
+        return divisor;
+    }
+
+    /** The divisor for a picture that may take long, though nobody knows. */
+    static int usualDivisor() {
+        return MOST_DIVISOR;
+    }
+
+    FrameInput input() {
+        return input;
+    }
+
+    /** Per pixel. */
+    int samples() {
+        return gathered.map(RefinedPicture::samples).orElse(input.samplesPerPixel());
+    }
+
+    /** Whether it is not worth another sample. */
+    boolean isDone(long nanos) {
+        return gathered.filter(picture -> !picture.isDone() && nanos - startNanos <= MOST_NANOS)
+                .isEmpty();
+    }
+
+    /** Draws it, or adds one sample per pixel and shows all of them. */
+    void draw(Engine engine, Frame shown) {
+        if (gathered.isEmpty()) {
+            engine.render(input, shown);
+            return;
+        }
+        RefinedPicture picture = gathered.get();
+        engine.render(picture.next(input, 1), pass);
+        picture.add(pass, 1);
+        picture.show(input, IntBuffer.wrap(shown.argb()));
+        shown.setTimes(pass.times());
+    }
+}

@@ -1,0 +1,80 @@
+package dev.twister.gui.rendering;
+
+import dev.twister.engine.EngineOffer;
+import dev.twister.render.Background;
+import dev.twister.render.BodyMotion;
+import dev.twister.render.ExistingFrames;
+import dev.twister.render.Finishing;
+import dev.twister.render.FrameRange;
+import dev.twister.render.Movement;
+import dev.twister.render.PicturePart;
+import dev.twister.render.RenderOrder;
+import dev.twister.render.RenderOutput;
+import dev.twister.render.Sampling;
+import dev.twister.scene.Scene;
+import dev.twister.world.Animation;
+import dev.twister.world.FrameInput;
+import dev.twister.world.StageOrView;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** Orders of the window's render dialog; their files are those of {@code twister render}. */
+public final class WindowOrder {
+    private WindowOrder() {}
+
+    /**
+     * An order of a single picture.
+     *
+     * @param scene with the size and the samples to render with
+     * @param seen a picture with the bodies' positions; empty for those of the scene
+     */
+    public static RenderOrder picture(
+            Scene scene, StageOrView picture, EngineOffer engine, Optional<FrameInput> seen, Path file) {
+        BodyMotion bodies = seen.<BodyMotion>map(BodyMotion.Seen::new).orElse(new BodyMotion.Still());
+        return of(
+                scene,
+                picture,
+                engine,
+                new Movement(bodies, _ -> scene, 1),
+                new RenderOutput(file, Optional.empty(), ExistingFrames.REPLACED, Background.SKY));
+    }
+
+    /**
+     * An order of a film or of numbered pictures.
+     *
+     * @param scene with the size and the samples to render with
+     */
+    public static RenderOrder film(Scene scene, StageOrView picture, EngineOffer engine, FilmPlan film, Path file) {
+        return of(
+                scene,
+                picture,
+                engine,
+                film.movement(scene),
+                new RenderOutput(file, Optional.of(film.frames()), ExistingFrames.REPLACED, Background.SKY));
+    }
+
+    private static RenderOrder of(
+            Scene scene, StageOrView picture, EngineOffer engine, Movement movement, RenderOutput output) {
+        Sampling sampling = new Sampling(scene.rendering().samplesPerPixel(), Optional.empty());
+        return new RenderOrder(
+                scene, engine, List.of(picture), sampling, PicturePart.WHOLE, movement, Finishing.NONE, output);
+    }
+
+    /**
+     * A film that the window renders.
+     *
+     * @param rate frames per second
+     */
+    public record FilmPlan(FilmMotion motion, double rate, FrameRange frames) {
+        /** What moves in the film of a scene. */
+        Movement movement(Scene scene) {
+            // As the command computes it, so that times agree to the last bit.
+            double secondsPerFrame = 1 / rate;
+            return new Movement(
+                    motion.movesBodies() ? new BodyMotion.Simulated(0, secondsPerFrame) : new BodyMotion.Still(),
+                    motion.followsKeyframes() ? seconds -> Animation.at(scene, seconds) : _ -> scene,
+                    1 / secondsPerFrame);
+        }
+    }
+}

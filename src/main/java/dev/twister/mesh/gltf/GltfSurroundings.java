@@ -1,0 +1,133 @@
+package dev.twister.mesh.gltf;
+
+import dev.twister.mesh.Affine;
+import dev.twister.mesh.FileCamera;
+import dev.twister.mesh.FileLight;
+import dev.twister.mesh.FileSurroundings;
+import dev.twister.mesh.input.MeshLimits;
+import dev.twister.mesh.input.QuotedText;
+import dev.twister.mesh.input.Warnings;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Vector3;
+import dev.twister.scene.property.SceneLimits;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The lights and cameras of a glTF file's nodes. */
+final class GltfSurroundings {
+    static final String LIGHTS = "KHR_lights_punctual";
+
+    /** Sine of a camera's roll that is seen. */
+    private static final double ROLL = 0.01;
+
+    private static final Vector3 AHEAD = new Vector3(0, 0, 1);
+    private static final Vector3 ACROSS = new Vector3(1, 0, 0);
+
+    private final GltfPlace root;
+    private final Warnings warnings;
+    private final List<FileLight> lights = new ArrayList<>();
+    private final Map<String, FileCamera> cameras = new LinkedHashMap<>();
+
+    GltfSurroundings(GltfPlace root, Warnings warnings) {
+        this.root = root;
+        this.warnings = warnings;
+    }
+
+    FileSurroundings all() {
+        return new FileSurroundings(lights, List.copyOf(cameras.values()));
+    }
+
+    /**
+     * Adds the light and the camera of a node, if it has one.
+     *
+     * @param placement transform to the file's coordinates, in Twister's axes
+     */
+    void add(GltfPlace node, Affine placement) {
+        GltfPlace light = node.at("extensions").at(LIGHTS).at("light");
+        GltfPlace camera = node.at("camera");
+        if (!light.exists() && !camera.exists()) {
+            return;
+        }
+        Vector3 direction = placement.direction(AHEAD);
+        if (!MeshLimits.isCoordinate(placement.origin().length()) || direction.length() == 0) {
+            warnings.add(node + " is flat, or far too large; not read");
+            return;
+        }
+        if (light.exists()) {
+            addLight(light, placement.origin(), direction.normalized());
+        }
+        if (camera.exists()) {
+            addCamera(node, placement);
+        }
+    }
+
+    private void addLight(GltfPlace number, Vector3 position, Vector3 direction) {
+        GltfPlace light = number.in(root.at("extensions").at(LIGHTS).at("lights"));
+        double[] color = light.at("color").numbersOr(1, 1, 1);
+        double intensity = light.at("intensity").numberOr(1);
+        Rgb used = new Rgb(GltfMaterials.unit(color[0]), GltfMaterials.unit(color[1]), GltfMaterials.unit(color[2]));
+        if (!(intensity > 0) || used.equals(new Rgb(0, 0, 0))) {
+            return;
+        }
+        String type = light.at("type").text();
+        if (type.equals("spot")) {
+            warnings.add("spot lights shine in all directions");
+        }
+        if (lights.size() == SceneLimits.MAX_LIGHTS) {
+            warnings.add("there are more than " + SceneLimits.MAX_LIGHTS + " lights; the others are not read");
+            return;
+        }
+        FileLight.Kind kind = switch (type) {
+            case "point", "spot" -> FileLight.Kind.NEAR;
+            case "directional" -> FileLight.Kind.FAR;
+            default ->
+                throw light.at("type").failure("is " + QuotedText.text(type) + "; expected directional, point or spot");
+        };
+        lights.add(new FileLight(kind, used, intensity, position, direction));
+    }
+
+    private void addCamera(GltfPlace node, Affine placement) {
+        GltfPlace camera = node.at("camera").in(root.at("cameras"));
+        GltfPlace perspective = camera.at("perspective");
+        if (!perspective.exists()) {
+            warnings.add(camera + " is orthographic; not read");
+            return;
+        }
+        if (cameras.size() == SceneLimits.MAX_VIEWS) {
+            warnings.add("there are more than " + SceneLimits.MAX_VIEWS + " cameras; the others are not read");
+            return;
+        }
+        if (Math.abs(placement.direction(ACROSS).normalized().y()) > ROLL) {
+            warnings.add(camera + " is rolled; its view is level");
+        }
+        double height = Math.tan(Math.clamp(perspective.at("yfov").number(), 0, Math.PI) / 2);
+        double width = height * Math.max(0, perspective.at("aspectRatio").numberOr(1));
+        double angle = Math.toDegrees(2 * Math.atan(Math.min(height, width)));
+        String name = name(node.at("name").textOr(camera.at("name").textOr("")));
+        cameras.put(
+                name,
+                new FileCamera(
+                        name,
+                        SceneLimits.FIELD_OF_VIEW.clamp(angle),
+                        placement.origin(),
+                        placement.direction(AHEAD).normalized()));
+    }
+
+    /** A name that no other camera has. */
+    private String name(String wanted) {
+        String plain = wanted.codePoints()
+                .filter(point -> !Character.isISOControl(point))
+                .limit(SceneLimits.MAX_NAME_LENGTH / 2)
+                .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
+                .toString()
+                .strip();
+        String stem = plain.isEmpty() ? "camera" : plain;
+        String name = stem;
+        for (int number = 2; cameras.containsKey(name); number++) {
+            name = stem + " " + number;
+        }
+        return name;
+    }
+}

@@ -1,0 +1,2 @@
+/** Lists and groups of lights. */
+package dev.twister.scene.light;

@@ -1,0 +1,93 @@
+package dev.twister.scene.material;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * The maps of a material besides its texture.
+ *
+ * @param texture how the material's texture is read
+ * @param emission multiplies the emission
+ * @param roughness its green channel multiplies the roughness
+ * @param metallic its blue channel multiplies the metallic part
+ * @param normal normals in tangent space, as glTF has them, or heights if it is gray
+ * @param occlusion its red channel multiplies the ambient light
+ * @param transmission its red channel multiplies the transmission
+ * @param alpha its red channel is the opacity; without it, that is the texture's alpha channel
+ */
+public record Maps(
+        Sampler texture,
+        Optional<ImageMap> emission,
+        Optional<ImageMap> roughness,
+        Optional<ImageMap> metallic,
+        Optional<ImageMap> normal,
+        Optional<ImageMap> occlusion,
+        Optional<ImageMap> transmission,
+        Optional<ImageMap> alpha) {
+    public static final Maps NONE = new Maps(
+            Sampler.DEFAULT,
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty());
+
+    public Maps {
+        requireNonNull(texture, "texture");
+        requireNonNull(emission, "emission");
+        requireNonNull(roughness, "roughness");
+        requireNonNull(metallic, "metallic");
+        requireNonNull(normal, "normal");
+        requireNonNull(occlusion, "occlusion");
+        requireNonNull(transmission, "transmission");
+        requireNonNull(alpha, "alpha");
+    }
+
+    /** Those that it has. */
+    public List<ImageMap> all() {
+        return Stream.of(emission, roughness, metallic, normal, occlusion, transmission, alpha)
+                .flatMap(Optional::stream)
+                .toList();
+    }
+
+    public Maps withTexture(Sampler newTexture) {
+        return new Maps(newTexture, emission, roughness, metallic, normal, occlusion, transmission, alpha);
+    }
+
+    public Maps withEmission(ImageMap newEmission) {
+        return new Maps(texture, Optional.of(newEmission), roughness, metallic, normal, occlusion, transmission, alpha);
+    }
+
+    public Maps withRoughness(ImageMap newRoughness) {
+        return new Maps(texture, emission, Optional.of(newRoughness), metallic, normal, occlusion, transmission, alpha);
+    }
+
+    public Maps withMetallic(ImageMap newMetallic) {
+        return new Maps(texture, emission, roughness, Optional.of(newMetallic), normal, occlusion, transmission, alpha);
+    }
+
+    public Maps withNormal(ImageMap newNormal) {
+        return new Maps(texture, emission, roughness, metallic, Optional.of(newNormal), occlusion, transmission, alpha);
+    }
+
+    public Maps withOcclusion(ImageMap newOcclusion) {
+        return new Maps(texture, emission, roughness, metallic, normal, Optional.of(newOcclusion), transmission, alpha);
+    }
+
+    public Maps withTransmission(ImageMap newTransmission) {
+        return new Maps(texture, emission, roughness, metallic, normal, occlusion, Optional.of(newTransmission), alpha);
+    }
+
+    public Maps withAlpha(ImageMap newAlpha) {
+        return new Maps(texture, emission, roughness, metallic, normal, occlusion, transmission, Optional.of(newAlpha));
+    }
+
+    public Maps withoutAlpha() {
+        return new Maps(texture, emission, roughness, metallic, normal, occlusion, transmission, Optional.empty());
+    }
+}

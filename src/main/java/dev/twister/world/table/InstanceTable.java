@@ -1,0 +1,127 @@
+package dev.twister.world.table;
+
+import dev.twister.kernel.Layout;
+import dev.twister.mesh.Affine;
+import dev.twister.scene.Vector3;
+import dev.twister.world.SceneMeshes;
+import dev.twister.world.hierarchy.BoxTree;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The meshes' part of the hierarchy, see {@link Layout}: the nodes and the instances. */
+public final class InstanceTable {
+    private final float[] meshes;
+    private final List<Integer> bodies = new ArrayList<>();
+    private final List<MeshBody> shown = new ArrayList<>();
+    private final List<Affine> inverses = new ArrayList<>();
+
+    /** @param meshes the array of {@link SceneMeshes#floats} */
+    private InstanceTable(float[] meshes) {
+        this.meshes = meshes;
+    }
+
+    /**
+     * The table of the visible bodies; empty if there are none. A mesh that its placement flattens has no inverse
+     * transform and is invisible.
+     *
+     * @param firstMesh body number of the first mesh
+     */
+    static float[] of(List<MeshBody> bodies, float[] meshes, int firstMesh) {
+        InstanceTable table = new InstanceTable(meshes);
+        for (int i = 0; i < bodies.size(); i++) {
+            table.add(bodies.get(i), firstMesh + i);
+        }
+        return table.shown.isEmpty() ? new float[0] : table.floats();
+    }
+
+    private void add(MeshBody body, int number) {
+        Affine inverse = Inverse.of(body.placement());
+        if (!body.place().isEmpty() && Inverse.isFinite(inverse)) {
+            bodies.add(number);
+            shown.add(body);
+            inverses.add(inverse);
+        }
+    }
+
+    private float[] floats() {
+        float[] boxes = new float[6 * shown.size()];
+        for (int i = 0; i < shown.size(); i++) {
+            MeshBox.of(shown.get(i), meshes).write(boxes, 6 * i);
+        }
+        int[] order = new int[shown.size()];
+        float[] nodes = BoxTree.nodes(new BoxTree.Boxes(boxes, order, 1, instance -> instance));
+        float[] floats = new float[1 + nodes.length + Layout.INSTANCE_STRIDE * order.length];
+        int count = nodes.length / Layout.NODE_STRIDE;
+        floats[0] = count;
+        System.arraycopy(nodes, 0, floats, 1, nodes.length);
+        int at = 1 + nodes.length;
+        for (int instance : order) {
+            write(floats, at, instance);
+            at += Layout.INSTANCE_STRIDE;
+        }
+        return floats;
+    }
+
+    private void write(float[] floats, int at, int instance) {
+        write(floats, at + Layout.INSTANCE_TO_MESH, inverses.get(instance));
+        write(floats, at + Layout.INSTANCE_TO_WORLD, shown.get(instance).placement());
+        MeshPlace place = shown.get(instance).place();
+        floats[at + Layout.INSTANCE_BODY] = bodies.get(instance);
+        int start = place.start() / Layout.ALIGNMENT;
+        floats[at + Layout.INSTANCE_MESH] = start;
+        MeshCounts counts = place.counts();
+        floats[at + Layout.INSTANCE_NODES] = counts.nodes();
+        floats[at + Layout.INSTANCE_TRIANGLES] = counts.triangles();
+        floats[at + Layout.INSTANCE_NORMALS] = counts.normals();
+        floats[at + Layout.INSTANCE_TEXTURE_PLACES] = counts.texturePlaces();
+        floats[at + Layout.INSTANCE_VERTICES] = counts.vertices();
+        floats[at + Layout.INSTANCE_COLORS] = counts.colors();
+        floats[at + Layout.INSTANCE_TANGENTS] = counts.tangents();
+    }
+
+    private static void write(float[] floats, int at, Affine affine) {
+        Vector3[] columns = {affine.axisX(), affine.axisY(), affine.axisZ(), affine.origin()};
+        for (int column = 0; column < columns.length; column++) {
+            floats[at + column] = (float) columns[column].x();
+            floats[at + 4 + column] = (float) columns[column].y();
+            floats[at + 8 + column] = (float) columns[column].z();
+        }
+    }
+
+    /** The inverse of a placement. */
+    private static final class Inverse {
+        private Inverse() {}
+
+        /** The inverse; not finite if there is none. */
+        static Affine of(Affine placement) {
+            Vector3 x = placement.axisX();
+            Vector3 y = placement.axisY();
+            Vector3 z = placement.axisZ();
+            Vector3 first = y.cross(z);
+            double scale = 1 / x.dot(first);
+            Vector3 second = z.cross(x);
+            Vector3 third = x.cross(y);
+            Affine turned = new Affine(
+                    new Vector3(first.x(), second.x(), third.x()).times(scale),
+                    new Vector3(first.y(), second.y(), third.y()).times(scale),
+                    new Vector3(first.z(), second.z(), third.z()).times(scale),
+                    Vector3.ZERO);
+            Vector3 back = turned.direction(placement.origin());
+            return new Affine(turned.axisX(), turned.axisY(), turned.axisZ(), back.times(-1));
+        }
+
+        /** Whether all components are finite as floats. */
+        static boolean isFinite(Affine affine) {
+            return isFinite(affine.axisX())
+                    && isFinite(affine.axisY())
+                    && isFinite(affine.axisZ())
+                    && isFinite(affine.origin());
+        }
+
+        private static boolean isFinite(Vector3 vector) {
+            return Float.isFinite((float) vector.x())
+                    && Float.isFinite((float) vector.y())
+                    && Float.isFinite((float) vector.z());
+        }
+    }
+}

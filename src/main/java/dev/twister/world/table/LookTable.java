@@ -1,0 +1,156 @@
+package dev.twister.world.table;
+
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.Variant;
+import dev.twister.scene.Ground;
+import dev.twister.scene.Light;
+import dev.twister.scene.Material;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.material.Emission;
+import dev.twister.world.SceneImages;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The arrays {@code looks} and {@code images} of {@link Layout}; the same ones as long as their content is the same.
+ */
+public final class LookTable {
+    /** Lower bound of a color whose logarithm is taken. */
+    private static final double DARKEST = 1e-9;
+
+    private float[] looks = {};
+    private int materials;
+    private int secondLight;
+    private MapTexels texels = MapTexels.NONE;
+
+    /**
+     * The looks of all bodies.
+     *
+     * @param spheres including those to be poured
+     * @param meshFloats the array {@code meshes} of {@link Layout}, without maps
+     * @throws IllegalArgumentException if one of the textures is missing
+     */
+    public void put(
+            Lights lights,
+            Ground ground,
+            List<Sphere> spheres,
+            List<MeshBody> meshes,
+            float[] meshFloats,
+            SceneImages newImages) {
+        MapTable table = new MapTable(newImages);
+        secondLight = Layout.FIRST_SPHERE + spheres.size();
+        int firstMesh = secondLight + lights.further().size();
+        float[] materials = new float[Layout.LOOK_STRIDE * (firstMesh + meshes.size())];
+        put(materials, Layout.PLANE, ground.material(), table.row(ground.material()));
+        int body = Layout.FIRST_SPHERE;
+        for (Sphere sphere : spheres) {
+            put(materials, body++, sphere.material(), table.row(sphere.material()));
+        }
+        body = firstMesh;
+        for (MeshBody mesh : meshes) {
+            put(materials, body++, mesh.material(), table.row(mesh));
+        }
+        this.materials = arePlain(materials) ? 0 : Variant.MATERIALS | table.variant();
+        put(materials, lights);
+        texels = texels.changedTo(newImages, table.uses(), table.opacities(), meshFloats);
+        replace(table.withTable(materials, texels));
+    }
+
+    /** Changes as many lights as there are. */
+    public void put(Lights lights) {
+        float[] changed = looks.clone();
+        put(changed, lights);
+        replace(changed);
+    }
+
+    private void put(float[] materials, Lights lights) {
+        put(materials, Layout.LIGHT, lights.first());
+        int body = secondLight;
+        for (Light light : lights.further()) {
+            put(materials, body++, light);
+        }
+    }
+
+    private static void put(float[] materials, int body, Light light) {
+        putColor(materials, Layout.LOOK_STRIDE * body, light.color());
+        materials[Layout.LOOK_STRIDE * body + Layout.LOOK_SHARE] = (float) light.share();
+    }
+
+    private void replace(float[] changed) {
+        if (!Arrays.equals(changed, looks)) {
+            looks = changed;
+        }
+    }
+
+    public float[] looks() {
+        return looks;
+    }
+
+    public float[] texels() {
+        return texels.images().floats();
+    }
+
+    /** The meshes, with the opacity maps behind them. */
+    public float[] meshes() {
+        return texels.meshes().floats();
+    }
+
+    /** What the materials of all bodies, present or not, need of the kernel: bits of {@link Variant}. */
+    public int materials() {
+        return materials;
+    }
+
+    private static boolean arePlain(float[] looks) {
+        for (int look = 0; look < looks.length; look++) {
+            if (look % Layout.LOOK_STRIDE > Layout.LOOK_REFLECTIVITY && looks[look] != 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static void put(float[] looks, int body, Material material, int maps) {
+        int look = Layout.LOOK_STRIDE * body;
+        putColor(looks, look, material.color());
+        boolean fresnel = material.isByFresnel();
+        float reflectivity = (float) material.whittedReflectivity();
+        float transmission = (float) material.transmission();
+        looks[look + Layout.LOOK_REFLECTIVITY] = reflectivity;
+        looks[look + Layout.LOOK_TRANSMISSION] = transmission;
+        // Properties without effect stay 0, so that the body counts as plain.
+        boolean glossy = fresnel || reflectivity > 0 || transmission > 0;
+        looks[look + Layout.LOOK_ROUGHNESS] = glossy ? (float) material.roughness() : 0;
+        looks[look + Layout.LOOK_IOR] = fresnel || transmission > 0 ? (float) material.ior() : 0;
+        looks[look + Layout.LOOK_METALLIC] = (float) (fresnel ? -1 - material.metallic() : material.metallic());
+        putEmission(looks, look, material.emission());
+        material.attenuation().distance().ifPresent(distance -> putAbsorption(looks, look, material, distance));
+        looks[look + Layout.LOOK_MAPS] = maps;
+    }
+
+    private static void putEmission(float[] looks, int look, Emission emission) {
+        if (!emission.isNone()) {
+            putColor(looks, look + Layout.LOOK_EMISSION, emission.radiance());
+            looks[look + Layout.LOOK_EMITTER] = emission.doubleSided() ? 0 : -1;
+        }
+    }
+
+    /** Per meter, so that the attenuation's color is left after the distance. */
+    private static void putAbsorption(float[] looks, int look, Material material, double distance) {
+        Rgb color = material.attenuation().color();
+        looks[look + Layout.LOOK_ABSORPTION] = absorption(color.red(), distance);
+        looks[look + Layout.LOOK_ABSORPTION + 1] = absorption(color.green(), distance);
+        looks[look + Layout.LOOK_ABSORPTION + 2] = absorption(color.blue(), distance);
+    }
+
+    private static float absorption(double color, double distance) {
+        return (float) (Math.max(-Math.log(Math.max(color, DARKEST)), 0) / distance);
+    }
+
+    public static void putColor(float[] array, int at, Rgb color) {
+        array[at] = (float) color.red();
+        array[at + 1] = (float) color.green();
+        array[at + 2] = (float) color.blue();
+    }
+}

@@ -1,0 +1,135 @@
+package dev.twister.gui.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.gui.edit.Scenes;
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Scene;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class NumberPropertyTest {
+    private final Scene scene = Scenes.scene();
+
+    static Stream<NumberProperty<Scene>> all() {
+        int body = Layout.FIRST_SPHERE + 1;
+        return Stream.of(
+                        SceneNumbers.PICTURE.stream(),
+                        CameraNumbers.ALL.stream(),
+                        LightNumbers.ALL.stream(),
+                        SceneNumbers.SKY.stream(),
+                        SceneNumbers.PLANE.stream(),
+                        SceneNumbers.PHYSICS.stream(),
+                        BodyNumbers.SPHERE.stream().map(number -> BodyNumbers.ofSphere(body, number)),
+                        MaterialNumbers.ALL.stream().map(number -> MaterialNumbers.of(body, number)),
+                        Stream.of(MaterialNumbers.of(Layout.PLANE, MaterialNumbers.REFLECTIVITY)))
+                .flatMap(numbers -> numbers);
+    }
+
+    @ParameterizedTest
+    @MethodSource("all")
+    void whatIsWrittenIsRead(NumberProperty<Scene> setting) {
+        for (double place : new double[] {0, 0.3, 1}) {
+            double number = setting.scale().numberAt(place);
+            assertThat(setting.read(setting.write(scene, number))).isCloseTo(number, within(1e-9));
+            assertThat(setting.scale().allowed().contains(number)).isTrue();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("all")
+    void nothingElseIsWritten(NumberProperty<Scene> setting) {
+        double before = setting.read(scene);
+        Scene there = setting.write(scene, setting.scale().around(before).numberAt(0.9));
+        assertThat(there).isNotEqualTo(scene);
+        assertThat(setting.write(there, before)).isEqualTo(scene);
+    }
+
+    @ParameterizedTest
+    @MethodSource("all")
+    void arrowKeysMoveAndComeToTheEnds(NumberProperty<Scene> setting) {
+        double number = setting.scale().slid().min();
+        int steps = 0;
+        while (number < setting.scale().slid().max() && steps < 1000) {
+            double next = setting.scale().stepped(number, 1);
+            assertThat(next).isGreaterThan(number);
+            number = next;
+            steps++;
+        }
+        assertThat(number).isEqualTo(setting.scale().slid().max());
+        assertThat(setting.scale().stepped(number, 1)).isEqualTo(number);
+        assertThat(setting.scale().stepped(number, -1)).isLessThan(number);
+        assertThat(setting.scale().stepped(setting.scale().slid().min(), -1))
+                .isEqualTo(setting.scale().slid().min());
+    }
+
+    @ParameterizedTest
+    @MethodSource("all")
+    void whatIsShownIsUnderstood(NumberProperty<Scene> setting) {
+        double number = setting.scale().numberAt(0.37);
+        assertThat(setting.scale().parse(setting.scale().text(number))).contains(number);
+    }
+
+    @Test
+    void whatIsTypedIsCheckedAgainstTheScenesLimits() {
+        NumberProperty<Scene> shadows = SceneNumbers.SHADOW_SAMPLES;
+        assertThat(shadows.scale().parse(" 700 ")).contains(700.0);
+        assertThat(shadows.scale().parse("0")).isEmpty();
+        assertThat(shadows.scale().parse("1025")).isEmpty();
+        assertThat(shadows.scale().parse("many")).isEmpty();
+        assertThat(shadows.scale().parse("NaN")).isEmpty();
+        assertThat(shadows.scale().parse("")).isEmpty();
+        assertThat(shadows.scale().parse("1e999999999")).isEmpty();
+        assertThat(SceneNumbers.EXPOSURE.scale().parse("-0,5")).contains(-0.5);
+        assertThat(shadows.complaint("many"))
+                .isEqualTo("Shadow samples is 'many', but must be a number from 1 to 1024");
+    }
+
+    @Test
+    void placesFollowTheScale() {
+        NumberProperty<Scene> shadows = SceneNumbers.SHADOW_SAMPLES;
+        assertThat(shadows.scale().placeOf(20)).isCloseTo(0.5, within(1e-9));
+        assertThat(shadows.scale().numberAt(0.5)).isEqualTo(20);
+        assertThat(shadows.scale().placeOf(1000)).isEqualTo(1);
+        assertThat(SceneNumbers.EXPOSURE.scale().placeOf(0)).isEqualTo(0.5);
+    }
+
+    @Test
+    void aPlacesSliderIsAboutWhereTheBodyIs() {
+        NumberScale near = LightNumbers.ALL.get(0).scale().around(50);
+        assertThat(near.placeOf(50)).isEqualTo(0.5);
+        assertThat(near.numberAt(1)).isEqualTo(55);
+        assertThat(LightNumbers.ALL.get(0).scale().around(1e6).numberAt(1)).isEqualTo(1e6);
+        assertThat(SceneNumbers.EXPOSURE.scale().around(3)).isEqualTo(SceneNumbers.EXPOSURE.scale());
+    }
+
+    @Test
+    void aSmallSizeIsShownWithItsDigits() {
+        NumberProperty<Scene> radius = LightNumbers.ofScene(LightNumbers.RADIUS);
+        assertThat(radius.scale().text(0.004)).isEqualTo("0.004");
+        assertThat(radius.scale().text(0.0123456)).isEqualTo("0.012");
+        assertThat(radius.scale().text(1e-6)).isEqualTo("0.000001");
+        assertThat(radius.scale().text(1.234)).isEqualTo("1.23");
+        assertThat(LightNumbers.ALL.get(0).scale().text(1e-9)).isEqualTo("0");
+        assertThat(radius.scale().parse(radius.scale().text(0.004))).contains(0.004);
+    }
+
+    @Test
+    void aDragGoesBeyondTheSliderUpToWhatIsAllowed() {
+        assertThat(SceneNumbers.EXPOSURE.scale().movedBy(6, 0.5)).isEqualTo(12);
+        assertThat(SceneNumbers.SHADOW_SAMPLES.scale().movedBy(400, 1)).isEqualTo(1024);
+        assertThat(SceneNumbers.SHADOW_SAMPLES.scale().movedBy(20, 0.5)).isCloseTo(400, within(1e-6));
+        assertThat(LightNumbers.ofScene(LightNumbers.BRIGHTNESS).scale().movedBy(0, 0.1))
+                .isPositive();
+    }
+
+    @Test
+    void aLightThatIsOutCanBeLitAgain() {
+        Scene out = LightNumbers.ofScene(LightNumbers.BRIGHTNESS).write(scene, 0);
+        Scene lit = LightNumbers.ofScene(LightNumbers.BRIGHTNESS).write(out, 3);
+        assertThat(LightNumbers.ofScene(LightNumbers.BRIGHTNESS).read(lit)).isEqualTo(3);
+    }
+}
