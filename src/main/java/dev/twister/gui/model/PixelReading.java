@@ -1,8 +1,8 @@
 package dev.twister.gui.model;
 
-import dev.twister.image.FrameStop;
 import dev.twister.engine.JvmKernel;
 import dev.twister.image.Frame;
+import dev.twister.image.FrameStop;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;
 import dev.twister.world.FrameInput;
