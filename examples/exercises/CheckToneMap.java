@@ -12,11 +12,13 @@ import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.function.DoubleUnaryOperator;
 
 /** Checks a tone map, and shows it: {@code java -cp CLASSPATH CheckToneMap.java [solution]}. */
 final class CheckToneMap {
     private static final Path PICTURE = Path.of("tone-map.png");
+    private static final double STEP = 0.25;
     private static final double SRGB = 1 / 2.2;
 
     private CheckToneMap() {}
@@ -34,13 +36,27 @@ final class CheckToneMap {
         checks.near("shown(2)", map.applyAsDouble(2), 0.75, 1e-6);
         checks.near("shown(4), the white point,", map.applyAsDouble(4), 1, 1e-6);
         checks.near("shown(100)", map.applyAsDouble(100), 1, 1e-6);
-        for (double color = 0; color < 4; color += 0.25) {
-            checks.that(
-                    map.applyAsDouble(color + 0.25) > map.applyAsDouble(color),
-                    "between " + color + " and " + (color + 0.25) + " it does not rise: shapes are lost there");
-        }
+        checkRise(map, checks);
         write(map);
         return checks.report(PICTURE + " has a ball under a light that is three times as bright as white");
+    }
+
+    /** One line for each range in which shapes are lost. */
+    private static void checkRise(DoubleUnaryOperator map, Checks checks) {
+        double start = 0;
+        for (double color = 0; color <= 4; color += STEP) {
+            boolean rises = color == 4 || map.applyAsDouble(color + STEP) > map.applyAsDouble(color);
+            if (rises) {
+                checks.that(
+                        start == color,
+                        String.format(
+                                Locale.ROOT,
+                                "between %.2f and %.2f it does not rise: shapes are lost there",
+                                start,
+                                color));
+                start = color + STEP;
+            }
+        }
     }
 
     private static void write(DoubleUnaryOperator map) throws IOException {

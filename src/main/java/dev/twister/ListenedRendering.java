@@ -2,8 +2,8 @@ package dev.twister;
 
 import dev.twister.engine.ConvergingPicture;
 import dev.twister.engine.Engine;
-import dev.twister.image.RenderStoppedException;
 import dev.twister.image.Frame;
+import dev.twister.image.RenderStoppedException;
 import dev.twister.world.FrameInput;
 
 /** Renders a picture in parts: passes of samples where there are enough, else bands of rows. */

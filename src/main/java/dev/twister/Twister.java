@@ -5,9 +5,9 @@ import static java.util.Objects.requireNonNull;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.Engines;
-import dev.twister.image.RenderStoppedException;
 import dev.twister.engine.UnknownEngineException;
 import dev.twister.image.Frame;
+import dev.twister.image.RenderStoppedException;
 import dev.twister.mesh.MeshException;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
@@ -51,9 +51,9 @@ public final class Twister {
     }
 
     /**
-     * Renders a scene that was read from a file, and tells how far it is. When the listener cancels or the thread is interrupted, the
-     * rendering stops within 0.2 s, on a device after its current pass; {@link RenderedPicture#part} tells how much of
-     * it was done. An interrupt is not cleared.
+     * Renders a scene that was read from a file, and tells how far it is. When the listener cancels or the thread is
+     * interrupted, the rendering stops within 0.2 s, on a device after its current pass; {@link RenderedPicture#part}
+     * tells how much of it was done. An interrupt is not cleared.
      *
      * @param engine as of {@link #render(Scene, String)}
      * @param listener called on this thread
@@ -132,9 +132,9 @@ public final class Twister {
     }
 
     /**
-     * Renders a world as it is now, and tells how far it is. When the listener cancels or the thread is interrupted, the
-     * rendering stops within 0.2 s, on a device after its current pass; {@link RenderedPicture#part} tells how much of
-     * it was done. An interrupt is not cleared.
+     * Renders a world as it is now, and tells how far it is. When the listener cancels or the thread is interrupted,
+     * the rendering stops within 0.2 s, on a device after its current pass; {@link RenderedPicture#part} tells how much
+     * of it was done. An interrupt is not cleared.
      *
      * @param engine as of {@link #render(Scene, String)}
      * @param listener called on this thread
@@ -145,7 +145,8 @@ public final class Twister {
         FrameInput input = requireNonNull(world, "world").snapshot();
         requireNonNull(listener, "listener");
         try (Engine opened = Engines.open(engine)) {
-            return ListenedRendering.render(opened, input, listener, world.settings().srgb());
+            return ListenedRendering.render(
+                    opened, input, listener, world.settings().srgb());
         }
     }
 }

@@ -59,7 +59,12 @@ class LibraryDocsTest {
                             errors,
                             files,
                             null,
-                            List.of("-d", folder.toString(), "-proc:none", "-cp", System.getProperty("java.class.path")),
+                            List.of(
+                                    "-d",
+                                    folder.toString(),
+                                    "-proc:none",
+                                    "-cp",
+                                    System.getProperty("java.class.path")),
                             null,
                             files.getJavaFileObjects(file))
                     .call();

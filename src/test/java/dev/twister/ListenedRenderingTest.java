@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
-import dev.twister.image.RenderStoppedException;
 import dev.twister.image.Frame;
+import dev.twister.image.RenderStoppedException;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;

@@ -33,7 +33,7 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  twister explain teaching --pixel 640,360",
             "  twister explain glass --pixel 640,400 --samples 8 --sample 3 --json",
-            "  twister explain weekend --pixel 600,400 --sample 5",
+            "  twister explain weekend --pixel 600,400 --samples 16 --sample 5",
             "  twister explain teaching --pixel 160,90 --size 320x180 --shadow-samples 1 --bounces 0"
         })
 final class ExplainCommand implements Callable<Integer> {

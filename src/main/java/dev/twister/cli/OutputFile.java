@@ -80,6 +80,16 @@ final class OutputFile {
         }
         if (replaced) {
             WholeFile.deleteLeftovers(folder);
+            checkByTrial(option, file);
+        }
+    }
+
+    /** What only the system knows before anything is written: the longest name, say, or a folder that takes no file. */
+    private static void checkByTrial(String option, Path file) {
+        try {
+            WholeFile.tryToReplace(file);
+        } catch (IOException problem) {
+            throw new BadInputException(option + " is " + file + ", but " + SystemReason.of(problem));
         }
     }
 

@@ -53,6 +53,8 @@ final class PictureOutput {
         }
         frames.ifPresent(range -> FrameNames.of(file, range));
         OutputFile.check(OPTION, output.firstFile());
+        // The last number may make the longest name.
+        OutputFile.check(OPTION, output.lastFile());
         return output;
     }
 

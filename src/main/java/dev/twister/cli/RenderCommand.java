@@ -7,7 +7,6 @@ import dev.twister.film.FilmFile;
 import dev.twister.image.PictureSize;
 import dev.twister.motion.MotionFile;
 import dev.twister.render.Background;
-import dev.twister.render.BandedDrawing;
 import dev.twister.render.BlackPictureException;
 import dev.twister.render.ExistingFrames;
 import dev.twister.render.FrameRange;
@@ -16,6 +15,7 @@ import dev.twister.render.RenderOrder;
 import dev.twister.render.RenderOutput;
 import dev.twister.render.RenderResult;
 import dev.twister.render.Renderer;
+import dev.twister.render.SampleTotals;
 import dev.twister.render.Sampling;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Rendering;
@@ -275,23 +275,25 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private String summary(RenderOrder order, RenderResult result, long nanos) {
+        String samples = samplesOf(order, result.samples());
         if (result.picture().isPresent()) {
-            return summary(order, result.picture().get());
+            return summary(order, result.picture().get(), samples);
         }
         int frames = order.output().range().count();
         String size = frames + " frames of " + sides(order);
         if (order.output().isFilm()) {
-            return size + ", " + FilmFile.of(order.output().file()).kind();
+            return size + ", " + FilmFile.of(order.output().file()).kind() + samples;
         }
         return String.format(
                 Locale.ROOT,
-                "%s, %.1f ms each%s",
+                "%s, %.1f ms each%s%s",
                 size,
                 nanos / NANOS_PER_MILLI / frames,
-                result.kept() == 0 ? "" : ", %d kept".formatted(result.kept()));
+                result.kept() == 0 ? "" : ", %d kept".formatted(result.kept()),
+                samples);
     }
 
-    private String summary(RenderOrder order, RenderResult.Single picture) {
+    private String summary(RenderOrder order, RenderResult.Single picture, String samples) {
         FrameInput drawn = picture.part();
         String rows = drawn.rows() == drawn.height()
                 ? ""
@@ -309,38 +311,32 @@ final class RenderCommand implements Callable<Integer> {
                 picture.engine(),
                 picture.device(),
                 millis,
-                order.sampling()
-                        .noise()
-                        .map(bound -> samplesOf(picture.drawn().getFirst().drawn(), bound))
-                        .orElse(""));
+                samples);
     }
 
     private static String sides(RenderOrder order) {
         return order.size().width() + " x " + order.size().height();
     }
 
-    private static String samplesOf(BandedDrawing.Drawn drawn, double bound) {
-        double fewest = Double.MAX_VALUE;
-        double most = 0;
-        double sum = 0;
-        for (float samples : drawn.samples()) {
-            fewest = Math.min(fewest, samples);
-            most = Math.max(most, samples);
-            sum += samples;
+    /** Empty without a noise bound, or if all frames were kept. */
+    private static String samplesOf(RenderOrder order, SampleTotals samples) {
+        if (samples.pixels() == 0 || order.sampling().noise().isEmpty()) {
+            return "";
         }
+        double bound = order.sampling().noise().get();
         return String.format(
                 Locale.ROOT,
                 ", %s samples per pixel, noise %.2g%s",
-                fewest == most
-                        ? "%.0f".formatted(most)
+                samples.fewest() == samples.most()
+                        ? "%.0f".formatted(samples.most())
                         : String.format(
                                 Locale.ROOT,
                                 "%.0f to %.0f, on average %.0f,",
-                                fewest,
-                                most,
-                                sum / drawn.samples().length),
-                drawn.noise(),
-                drawn.noise() > bound ? "; raise --samples to reach " + bound : "");
+                                samples.fewest(),
+                                samples.most(),
+                                samples.average()),
+                samples.noise(),
+                samples.noise() > bound ? "; raise --samples to reach " + bound : "");
     }
 
     private Rendering settings(Rendering usual) {

@@ -64,7 +64,7 @@ final class SceneFiles {
 
     private static Path path(String text) {
         try {
-            return Path.of(text);
+            return new PathConverter().path(text);
         } catch (InvalidPathException problem) {
             throw new BadInputException("SCENE is not a valid file name: " + problem.getMessage());
         }

@@ -45,6 +45,11 @@ final class SeveralFiles {
             return Optional.empty();
         }
         Path folder = Optional.ofNullable(path.getParent()).orElse(Path.of(""));
+        if (argument.contains("**") || !Files.isDirectory(folder)) {
+            throw new BadInputException(
+                    "'" + argument + "' is not a pattern of files of one folder; only the file's name"
+                            + " may have wildcards, such as models/*.glb");
+        }
         return Optional.of(checked(list(folder, name), "no file matches " + argument));
     }
 
@@ -76,7 +81,13 @@ final class SeveralFiles {
             throw new BadInputException("'" + pattern + "' is not a pattern: "
                     + problem.getDescription().toLowerCase(Locale.ROOT));
         }
-        return files.stream().filter(Files::isRegularFile).sorted().toList();
+        // As shells do: hidden files, such as those that macOS leaves beside others, match only by their dot.
+        return files.stream()
+                .filter(Files::isRegularFile)
+                .filter(file -> pattern.startsWith(".")
+                        || !file.getFileName().toString().startsWith("."))
+                .sorted()
+                .toList();
     }
 
     private static List<Path> checked(List<Path> files, String problem) {

@@ -1,8 +1,8 @@
 package dev.twister.explain;
 
-import dev.twister.image.FrameStop;
 import dev.twister.engine.JvmKernel;
 import dev.twister.image.Frame;
+import dev.twister.image.FrameStop;
 import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;

@@ -6,9 +6,13 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.util.Objects;
+import java.util.Set;
 
 /** Why something with a file failed, without the file: the caller names the one that the user knows. */
 public final class SystemReason {
+    /** What Linux and macOS, and Windows say of a full disk. */
+    private static final Set<String> FULL = Set.of("No space left on device", "There is not enough space on the disk");
+
     private SystemReason() {}
 
     /** The system's own words where it had any, and words of ours where it left them out; one line. */
@@ -24,6 +28,9 @@ public final class SystemReason {
     }
 
     private static String orKind(String words, IOException failure) {
+        if (FULL.contains(String.valueOf(words))) {
+            return "disk full";
+        }
         return Objects.requireNonNullElse(words, failure.getClass().getSimpleName());
     }
 }

@@ -8,8 +8,10 @@ import java.io.OutputStream;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
 
 /** Writes a file whole or not at all: readers of its path see the old content or the new, never a part. */
 public final class WholeFile {
@@ -102,6 +104,21 @@ public final class WholeFile {
             content.writeTo(replacement.out());
             replacement.finish();
         }
+    }
+
+    /**
+     * Begins a file as {@link #replace} does, and leaves everything as it was.
+     *
+     * @param target no folder or device
+     * @throws IOException if no file of that name can be made there, as the system reports it
+     */
+    public static void tryToReplace(Path target) throws IOException {
+        try {
+            Files.readAttributes(behindLinks(target), BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
+        } catch (NoSuchFileException _) {
+            // The system takes the name.
+        }
+        FileReplacement.of(target).close();
     }
 
     /**

@@ -3,6 +3,7 @@ package dev.twister.film;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -22,19 +23,32 @@ public record Ffmpeg(Path program) {
     public static Optional<Ffmpeg> find(String path) {
         return Arrays.stream(path.split(Pattern.quote(File.pathSeparator)))
                 .filter(folder -> !folder.isEmpty())
-                .flatMap(folder -> NAMES.stream().map(name -> Path.of(folder, name)))
+                .flatMap(folder -> NAMES.stream().flatMap(name -> path(folder, name).stream()))
                 .filter(Files::isExecutable)
                 .filter(Files::isRegularFile)
                 .findFirst()
                 .map(Ffmpeg::new);
     }
 
+    /** Empty for an entry that is no path on this system, such as one in quotation marks on Windows. */
+    private static Optional<Path> path(String folder, String name) {
+        try {
+            return Optional.of(Path.of(folder, name));
+        } catch (InvalidPathException _) {
+            return Optional.empty();
+        }
+    }
+
     /**
      * Begins a film. An odd last column or row is left out, as 4:2:0 chroma needs even sides.
      *
-     * @throws IOException if the file cannot be written, or ffmpeg cannot be started
+     * @throws IOException if the frames are too small, the file cannot be written, or ffmpeg cannot be started
      */
     FilmEncoder begin(Path file, FilmFormat format) throws IOException {
+        if (format.width() < 2 || format.height() < 2) {
+            throw new IOException("cannot write " + file + ": frames of " + format.width() + " x " + format.height()
+                    + " pixels are too small for H.264, which needs 2 x 2 or more; give an .apng file");
+        }
         return FfmpegFilm.begin(this, file, format);
     }
 

@@ -11,6 +11,7 @@ import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Optional;
+import javax.imageio.IIOException;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageTypeSpecifier;
@@ -119,6 +120,9 @@ public final class PngWriter {
                 metadata.mergeTree(FORMAT, texts(made.get()));
             }
             writer.write(new IIOImage(image, null, metadata));
+        } catch (IIOException failure) {
+            // Its message does not say why.
+            throw failure.getCause() instanceof IOException cause ? cause : failure;
         } finally {
             writer.dispose();
         }

@@ -32,9 +32,7 @@ public final class NumberedFiles {
         this.end = end;
     }
 
-    /**
-     * Whether a file's name has a place for the number. A single # is part of a name where no frames are asked for.
-     */
+    /** Whether a file's name has a place for the number. A single # is part of a name where no frames are asked for. */
     public static boolean hasPlace(Path file) {
         return PLACE.matcher(file.getFileName().toString())
                 .results()
@@ -60,6 +58,9 @@ public final class NumberedFiles {
 
     private static NumberedFiles of(Path file, int count) {
         String name = file.getFileName().toString();
+        if (name.contains("\uFFFD")) {
+            throw new IllegalArgumentException("its bytes are no text in UTF-8, which names of numbered files must be");
+        }
         Matcher place = PLACE.matcher(name);
         if (!place.find()) {
             int ending = name.lastIndexOf('.');

@@ -8,9 +8,10 @@ import java.util.Optional;
  * What a rendering did.
  *
  * @param kept number of frames of an earlier run that were kept
+ * @param samples of the pictures that were rendered, if there was a noise bound
  * @param picture empty for frames and films
  */
-public record RenderResult(int kept, Optional<Single> picture) {
+public record RenderResult(int kept, SampleTotals samples, Optional<Single> picture) {
     /**
      * A single picture.
      *

@@ -105,20 +105,23 @@ public final class Renderer {
         FrameRange frames = output.range();
         FilmFormat format = new FilmFormat(
                 order.size().width(), order.size().height(), order.movement().rate(), frames.count());
+        SampleTotals samples = SampleTotals.NONE;
         try (FilmWriting writing = new FilmWriting(FilmFile.of(output.file()), format)) {
             for (int number : frames.numbers().toArray()) {
                 FrameInput input = shown.frame(number);
                 RenderedView drawn = drawing.draw(input, progress).getFirst();
+                samples = samples.plus(drawn.drawn());
                 writing.add(EncodedPixels.of(drawn.pixels(), PictureFormat.isEncoded(drawn, input)));
                 progress.frame();
             }
             writing.finish();
         }
-        return new RenderResult(0, Optional.empty());
+        return new RenderResult(0, samples, Optional.empty());
     }
 
     private RenderResult frames() throws IOException {
         int kept = 0;
+        SampleTotals samples = SampleTotals.NONE;
         int writers = writers(output);
         try (BackgroundWriter writer = new BackgroundWriter("writing", writers, room(writers))) {
             for (int number : output.range().numbers().toArray()) {
@@ -129,13 +132,14 @@ public final class Renderer {
                     kept++;
                 } else {
                     List<RenderedView> drawn = drawing.draw(input, progress);
+                    samples = samples.plus(drawn.getFirst().drawn());
                     writer.submit(1, () -> write(number, drawn, part, made));
                 }
                 progress.frame();
             }
             writer.finish();
         }
-        return new RenderResult(kept, Optional.empty());
+        return new RenderResult(kept, samples, Optional.empty());
     }
 
     private RenderResult picture() throws IOException {
@@ -146,6 +150,7 @@ public final class Renderer {
         write(0, drawn, part, drawing.provenance(input));
         return new RenderResult(
                 0,
+                SampleTotals.NONE.plus(drawn.getFirst().drawn()),
                 Optional.of(new RenderResult.Single(
                         drawn, part, drawing.engine().id(), drawing.engine().device())));
     }

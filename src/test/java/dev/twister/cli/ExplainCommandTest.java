@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,6 +15,22 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** Traces one pixel's path from the command line. */
 class ExplainCommandTest {
+    @Test
+    void theExamplesOfItsHelpWork() {
+        List<String> examples = Outcome.of("explain", "--help")
+                .out()
+                .lines()
+                .map(String::strip)
+                .filter(line -> line.startsWith("twister explain "))
+                .toList();
+
+        assertThat(examples).hasSizeGreaterThan(2).allSatisfy(example -> {
+            Outcome outcome = Outcome.of(example.substring("twister ".length()).split(" "));
+            assertThat(outcome.err()).isEmpty();
+            assertThat(outcome.exitCode()).isZero();
+        });
+    }
+
     @Test
     void tableHasAStepPerRay() {
         Outcome outcome = explain("--pixel", "108,52");

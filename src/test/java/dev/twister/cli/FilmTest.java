@@ -306,7 +306,9 @@ class FilmTest {
                         Outcome.of("render", "pour-1000", "-o", output, "--physics")))
                 .allSatisfy(outcome -> {
                     assertThat(outcome.exitCode()).isEqualTo(2);
-                    assertThat(outcome.err()).contains(output + ", a name of numbered frames").hasLineCount(1);
+                    assertThat(outcome.err())
+                            .contains(output + ", a name of numbered frames")
+                            .hasLineCount(1);
                 });
         assertThat(folder).isEmptyDirectory();
     }

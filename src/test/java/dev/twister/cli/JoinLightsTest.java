@@ -93,8 +93,8 @@ class JoinLightsTest {
                                 "../skyboxes",
                                 new File("skyboxes").getAbsolutePath().replace('\\', '/')));
         String[] plain = {"render", scene.toString(), "--size", "4x4", "--engine", "sequential", "-o", file("a.exr")};
-        String[] layered = Stream.concat(Stream.of(plain), Stream.of("--light-layers"))
-                .toArray(String[]::new);
+        String[] layered =
+                Stream.concat(Stream.of(plain), Stream.of("--light-layers")).toArray(String[]::new);
 
         assertThat(Outcome.of(plain).exitCode()).isZero();
         assertThat(Outcome.of(layered).exitCode()).isEqualTo(ExitCode.BAD_INPUT);

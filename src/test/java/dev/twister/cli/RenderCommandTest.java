@@ -43,6 +43,20 @@ class RenderCommandTest {
     }
 
     @Test
+    void outputsThatCannotBeMadeAreRefusedBeforeAnythingIsRead() throws IOException {
+        Path scene = Files.writeString(folder.resolve("broken.json"), "no scene");
+        Path file = folder.resolve("x".repeat(252) + ".png");
+
+        for (String[] options : new String[][] {{}, {"--turntable", "1", "--fps", "2"}}) {
+            Outcome outcome = render(scene.toString(), file, options);
+
+            assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+            assertThat(outcome.err()).startsWith("twister: --output is " + file).hasLineCount(1);
+        }
+        assertThat(folder.toFile().list()).containsExactly("broken.json");
+    }
+
+    @Test
     void drawsNumberedFramesOfBodiesThatMove() throws IOException {
         Path file = folder.resolve("fall.png");
 
@@ -293,6 +307,17 @@ class RenderCommandTest {
     @Test
     void quietRowsGetFewerSamples() {
         Path file = folder.resolve("bands.png");
+        assertThat(render(
+                                "juggling",
+                                folder.resolve("f-####.png"),
+                                "--size",
+                                "32x18",
+                                "--noise",
+                                "0.1",
+                                "--frames",
+                                "0-1")
+                        .out())
+                .containsPattern("2 frames of .* samples per pixel, noise 0\\.[0-9]+\\R$");
         String[] options = "--size 1280x64 --noise 0.03 --shadow-samples 1 --bounces 2".split(" ");
 
         assertThat(render("metals", file, options).out())

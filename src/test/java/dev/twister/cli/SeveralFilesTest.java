@@ -31,6 +31,24 @@ class SeveralFilesTest {
     }
 
     @Test
+    void hiddenFilesAreLeftOut() throws IOException {
+        touch("a.obj", "._a.obj", ".b.obj");
+
+        assertThat(SeveralFiles.of(folder.toString())).contains(List.of(folder.resolve("a.obj")));
+        assertThat(SeveralFiles.of(folder + "/*.obj")).contains(List.of(folder.resolve("a.obj")));
+        assertThat(SeveralFiles.of(folder + "/.b*")).contains(List.of(folder.resolve(".b.obj")));
+    }
+
+    @Test
+    void patternsOfSeveralFoldersAreRefused() {
+        for (String pattern : List.of("/**/*.obj", "/**.obj", "/nowhere/*.obj")) {
+            assertThatThrownBy(() -> SeveralFiles.of(folder + pattern))
+                    .isInstanceOf(BadInputException.class)
+                    .hasMessageContaining("is not a pattern of files of one folder");
+        }
+    }
+
+    @Test
     void oneFileIsNotSeveral() throws IOException {
         touch("a[1].obj");
 

@@ -20,7 +20,7 @@ class SystemReasonTest {
                 Arguments.of(new FileAlreadyExistsException("/a"), "a file of that name already exists"),
                 Arguments.of(new FileSystemException("/a", "/b", "File name too long"), "File name too long"),
                 Arguments.of(new FileSystemException("/a"), "FileSystemException"),
-                Arguments.of(new IOException("No space left on device"), "No space left on device"),
+                Arguments.of(new IOException("No space left on device"), "disk full"),
                 Arguments.of(new IOException(), "IOException"));
     }
 

@@ -41,7 +41,7 @@ class WholeFileTest {
                     throw new IOException("No space left on device");
                 }))
                 .isInstanceOf(IOException.class)
-                .hasMessage("cannot write " + file + ": No space left on device");
+                .hasMessage("cannot write " + file + ": disk full");
         assertThat(file).hasContent("old");
         assertThat(names()).containsExactly("old.txt");
     }

@@ -2,12 +2,19 @@ package dev.twister.film;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIOException;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import dev.twister.ChildJvm;
+import dev.twister.image.PngWriter;
+import dev.twister.image.Provenance;
 import java.io.File;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -16,8 +23,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 @DisabledOnOs(OS.WINDOWS)
 class FfmpegTest {
-    private static final FilmFormat FORMAT = new FilmFormat(2, 1, 60, 2);
-    private static final int[] FRAME = {0xff010203, 0xff040506};
+    private static final FilmFormat FORMAT = new FilmFormat(2, 2, 60, 2);
+    private static final int[] FRAME = {0xff010203, 0xff040506, 0xff070809, 0xff0a0b0c};
 
     @TempDir
     private Path folder;
@@ -32,6 +39,66 @@ class FfmpegTest {
     }
 
     @Test
+    void entriesThatAreNoPathsArePassedOver() throws IOException {
+        Ffmpeg ffmpeg = program("");
+
+        assertThat(Ffmpeg.find("\0" + File.pathSeparator + folder)).contains(ffmpeg);
+    }
+
+    @Test
+    void framesOfOnePixelAreRefusedBeforeFfmpegStarts() throws IOException {
+        Ffmpeg ffmpeg = program("");
+
+        assertThatIOException()
+                .isThrownBy(() -> ffmpeg.begin(folder.resolve("small.mp4"), new FilmFormat(1, 1, 60, 2)))
+                .withMessageContaining("frames of 1 x 1 pixels are too small for H.264");
+        assertThat(folder.toFile().list()).containsExactly("ffmpeg");
+    }
+
+    /** Other programs must play it, at the rate of the frames. */
+    @Test
+    void theDocumentedPipeMakesAFilmThatPlayersTake() throws IOException, InterruptedException {
+        Path program = Ffmpeg.find(System.getenv("PATH")).map(Ffmpeg::program).orElse(Path.of("ffmpeg"));
+        assumeThat(program).isExecutable();
+        String command = Files.readString(Path.of("docs", "commands.md"))
+                .lines()
+                .filter(line -> line.contains("| ffmpeg "))
+                .findFirst()
+                .orElseThrow();
+        List<String> words = new ArrayList<>(
+                List.of(command.substring(command.indexOf("| ffmpeg ") + 2).split(" ")));
+        words.set(0, program.toString());
+        Process ffmpeg = new ProcessBuilder(words)
+                .directory(folder.toFile())
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                .redirectError(ProcessBuilder.Redirect.DISCARD)
+                .start();
+        try (OutputStream out = ffmpeg.getOutputStream()) {
+            for (int frame = 0; frame < 3; frame++) {
+                int[] argb = new int[32 * 18];
+                Arrays.fill(argb, 0xff000000 | 0x50 * frame);
+                PngWriter.write(out, 32, 18, argb, true, false, new Provenance("", "", ""));
+            }
+        }
+        assertThat(ffmpeg.waitFor()).isZero();
+
+        Process probe = new ProcessBuilder(
+                        program.resolveSibling("ffprobe").toString(),
+                        "-v",
+                        "error",
+                        "-count_frames",
+                        "-show_entries",
+                        "stream=pix_fmt,r_frame_rate,nb_read_frames",
+                        "-of",
+                        "default=nw=1",
+                        words.getLast())
+                .directory(folder.toFile())
+                .start();
+        assertThat(probe.inputReader().lines())
+                .containsExactlyInAnyOrder("pix_fmt=yuv420p", "r_frame_rate=60/1", "nb_read_frames=3");
+    }
+
+    @Test
     void isGivenTheFramesBytesAndWritesTheFilm() throws IOException {
         Files.write(folder.resolve("good.mp4"), Mp4Boxes.film(FORMAT.frames(), 60));
         Ffmpeg ffmpeg = program("cd \"$(dirname \"$0\")\"; for last; do :; done; cat >frames; cat good.mp4 >\"$last\"");
@@ -40,8 +107,10 @@ class FfmpegTest {
         write(ffmpeg, film);
 
         assertThat(film).hasSameBinaryContentAs(folder.resolve("good.mp4"));
-        assertThat(folder.resolve("frames"))
-                .hasBinaryContent(new byte[] {3, 2, 1, -1, 6, 5, 4, -1, 3, 2, 1, -1, 6, 5, 4, -1});
+        assertThat(folder.resolve("frames")).hasBinaryContent(new byte[] {
+            3, 2, 1, -1, 6, 5, 4, -1, 9, 8, 7, -1, 12, 11, 10, -1,
+            3, 2, 1, -1, 6, 5, 4, -1, 9, 8, 7, -1, 12, 11, 10, -1
+        });
     }
 
     @Test

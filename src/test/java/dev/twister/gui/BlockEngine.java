@@ -1,11 +1,11 @@
 package dev.twister.gui;
 
 import dev.twister.engine.Engine;
-import dev.twister.image.FrameStop;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.engine.JvmKernel;
 import dev.twister.image.Frame;
+import dev.twister.image.FrameStop;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;

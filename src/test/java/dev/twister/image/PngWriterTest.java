@@ -2,9 +2,11 @@ package dev.twister.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -35,6 +37,27 @@ class PngWriterTest {
         for (int i = 0; i < read.length; i++) {
             assertThat(read[i]).isEqualTo(pixels[i] | 0xff000000);
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 100, 20_000})
+    void theFailureOfTheDiskIsTold(int room) {
+        OutputStream full = new OutputStream() {
+            private int left = room;
+
+            @Override
+            public void write(int value) throws IOException {
+                left--;
+                if (left < 0) {
+                    throw new IOException("No space left on device");
+                }
+            }
+        };
+        int[] pixels = new Random(1).ints(300 * 200).toArray();
+
+        assertThatThrownBy(() -> PngWriter.write(full, 300, 200, pixels, true, false, new Provenance("a", "b", "1")))
+                .isInstanceOf(IOException.class)
+                .hasMessage("No space left on device");
     }
 
     @ParameterizedTest

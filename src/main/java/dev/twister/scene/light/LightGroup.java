@@ -20,8 +20,8 @@ public final class LightGroup {
     public static final String AMBIENT = "ambient";
 
     /** The names above, and whose light their layers hold. */
-    public static final Map<String, String> RESERVED =
-            Map.of(SKY, "the sky", LIGHTS, "other lights", EMITTERS, "other bodies that emit", AMBIENT, "ambient light");
+    public static final Map<String, String> RESERVED = Map.of(
+            SKY, "the sky", LIGHTS, "other lights", EMITTERS, "other bodies that emit", AMBIENT, "ambient light");
 
     public static final int MAX_NAME_LENGTH = 20;
 
