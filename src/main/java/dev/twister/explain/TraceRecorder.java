@@ -97,9 +97,9 @@ final class TraceRecorder {
         }
         Optional<FoundLight> light = metLight(ray, body);
         Rgb throughput = Floats.rgb(ray, Layout.THROUGHPUT);
-        Optional<Scattering> scattering = body > Layout.LIGHT && !input.isLight(body)
-                ? Optional.of(scattering(ray.clone(), body, bounce))
-                : Optional.empty();
+        boolean scatters = body > Layout.LIGHT && !input.isLight(body) && bounce <= (int) frame[Layout.BOUNCES];
+        Optional<Scattering> scattering =
+                scatters ? Optional.of(scattering(ray.clone(), body, bounce)) : Optional.empty();
         return step(source, bounce, ray, throughput, body, light, scattering);
     }
 
@@ -143,7 +143,7 @@ final class TraceRecorder {
                 ray[Layout.CHOICE_MATTE],
                 ray[Layout.CHOICE_GLASS],
                 emitter,
-                last ? Optional.empty() : Optional.of(next(ray, bounce)));
+                Optional.of(next(ray, bounce)).filter(_ -> PathTracer.endsAt(ray, bounce, frame) == 0));
     }
 
     private EmitterChoice emitter(float[] ray, int bounce, boolean last) {

@@ -134,7 +134,11 @@ public final class PathTracer {
         }
         int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
         if (isSurface != 0) {
-            toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
+            if (bounce <= (int) frame[Layout.BOUNCES]) {
+                toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
+            } else {
+                end(path);
+            }
             Guides.trace(path, variant);
         }
         int goesOn = isSurface != 0 ? carriesLight(path) : 0;
@@ -260,15 +264,12 @@ public final class PathTracer {
                 toEmitter = direct(path, bounce, frame);
             }
         }
-        if (bounce < (int) frame[Layout.BOUNCES]) {
-            Lobes.choose(path, bounce, frame);
-            if (bounce >= FIRST_ROULETTE) {
-                roulette(path, bounce, frame);
-            }
-        } else {
-            path[Layout.THROUGHPUT] = 0f;
-            path[Layout.THROUGHPUT + 1] = 0f;
-            path[Layout.THROUGHPUT + 2] = 0f;
+        Lobes.choose(path, bounce, frame);
+        if (bounce >= FIRST_ROULETTE) {
+            roulette(path, bounce, frame);
+        }
+        if (endsAt(path, bounce, frame) != 0) {
+            end(path);
         }
         for (int axis = 0; axis < 3; axis++) {
             path[Layout.ORIGIN + axis] = path[Layout.POINT + axis];
@@ -286,6 +287,20 @@ public final class PathTracer {
             }
         }
         return toEmitter;
+    }
+
+    /**
+     * 1 if the path ends at the surface that it has met, after {@link Lobes#choose}: at the last one, whose light has
+     * been taken from an emitter, unless its direction is mirror-like. Such a ray may still meet an emitter or the sky.
+     */
+    public static int endsAt(float[] path, int bounce, float[] frame) {
+        return (bounce < (int) frame[Layout.BOUNCES] ? 0 : 1) & (path[Layout.SURFACE_DENSITY] > 0f ? 1 : 0);
+    }
+
+    private static void end(float[] path) {
+        path[Layout.THROUGHPUT] = 0f;
+        path[Layout.THROUGHPUT + 1] = 0f;
+        path[Layout.THROUGHPUT + 2] = 0f;
     }
 
     /** Writes the light that the chosen emitter adds unless it is blocked; 1 if that is any. */
