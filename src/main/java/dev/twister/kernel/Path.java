@@ -68,7 +68,7 @@ public final class Path {
             SkyLookup.add(path, frame, images);
             if (Aspect.isGuided(variant) != 0) {
                 SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
-                LightLayers.add(path, scratch, body, 1f, 0f, frame, looks, variant);
+                LightLayers.add(path, scratch, body, 1f, frame, looks, variant);
                 Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
             }
         }

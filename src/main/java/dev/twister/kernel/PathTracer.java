@@ -196,9 +196,9 @@ public final class PathTracer {
             weight = weight(path[Layout.SURFACE_DENSITY], Emitter.skyDensity(path, frame, looks, images));
         }
         SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
-        float most = bounce > 1 ? frame[Layout.CLAMP] : 0f;
-        add(path, weight, most);
-        LightLayers.add(path, scratch, Layout.NOTHING, weight, most, frame, looks, variant);
+        weight = clamped(path, weight, bounce, frame);
+        add(path, weight);
+        LightLayers.add(path, scratch, Layout.NOTHING, weight, frame, looks, variant);
         Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
     }
 
@@ -220,24 +220,44 @@ public final class PathTracer {
             for (int channel = 0; channel < 3; channel++) {
                 path[Layout.EMITTED + channel] = Emitter.emission(path, body, channel, looks, variant);
             }
-            float most = bounce > 1 ? frame[Layout.CLAMP] : 0f;
-            add(path, weight, most);
-            LightLayers.add(path, scratch, body, weight, most, frame, looks, variant);
+            weight = clamped(path, weight, bounce, frame);
+            add(path, weight);
+            LightLayers.add(path, scratch, body, weight, frame, looks, variant);
             Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
         }
     }
 
-    /**
-     * Adds emitted radiance times the throughput.
-     *
-     * @param most limit of each channel; 0 for none
-     */
-    private static void add(float[] path, float weight, float most) {
+    /** Adds emitted radiance times the throughput. */
+    private static void add(float[] path, float weight) {
         for (int channel = 0; channel < 3; channel++) {
-            float found = path[Layout.THROUGHPUT + channel] * weight * path[Layout.EMITTED + channel];
-            path[Layout.RADIANCE + channel] =
-                    path[Layout.RADIANCE + channel] + (most > 0f ? Math.min(found, most) : found);
+            path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
+                    + path[Layout.THROUGHPUT + channel] * weight * path[Layout.EMITTED + channel];
         }
+    }
+
+    /** The weight of the light that the path has met, less what the clamp takes. */
+    private static float clamped(float[] path, float weight, int bounce, float[] frame) {
+        float most = bounce > 1 ? frame[Layout.CLAMP] : 0f;
+        float luminance = luminance(
+                path[Layout.THROUGHPUT] * path[Layout.EMITTED],
+                path[Layout.THROUGHPUT + 1] * path[Layout.EMITTED + 1],
+                path[Layout.THROUGHPUT + 2] * path[Layout.EMITTED + 2]);
+        return weight * kept(weight * luminance, most);
+    }
+
+    /**
+     * Factor of light for the clamp, which limits its luminance and leaves its hue.
+     *
+     * @param most limit of the luminance; 0 for none
+     */
+    private static float kept(float luminance, float most) {
+        int clamps = (most > 0f ? 1 : 0) & (luminance > most ? 1 : 0);
+        return clamps != 0 ? most / luminance : 1f;
+    }
+
+    /** Luminance of linear sRGB (ITU-R BT.709). */
+    private static float luminance(float red, float green, float blue) {
+        return 0.2126f * red + 0.7152f * green + 0.0722f * blue;
     }
 
     /**
@@ -311,18 +331,18 @@ public final class PathTracer {
         // After the last bounce no ray is scattered that could meet the emitter, too.
         int last = bounce < (int) frame[Layout.BOUNCES] ? 0 : 1;
         float weight = (last != 0 ? 1f : weight(chosen, density)) / chosen;
-        float most = frame[Layout.CLAMP];
-        int clamps = (bounce > 0 ? 1 : 0) & (most > 0f ? 1 : 0);
-        float sum = 0f;
         for (int channel = 0; channel < 3; channel++) {
-            float found = path[Layout.THROUGHPUT + channel]
+            path[Layout.DIRECT + channel] = path[Layout.THROUGHPUT + channel]
                     * weight
                     * path[Layout.SCATTERED + channel]
                     * path[Layout.EMITTED + channel];
-            path[Layout.DIRECT + channel] = clamps != 0 ? Math.min(found, most) : found;
-            sum = sum + found;
         }
-        return sum > 0f ? 1 : 0;
+        float found = luminance(path[Layout.DIRECT], path[Layout.DIRECT + 1], path[Layout.DIRECT + 2]);
+        float kept = kept(found, bounce > 0 ? frame[Layout.CLAMP] : 0f);
+        for (int channel = 0; channel < 3; channel++) {
+            path[Layout.DIRECT + channel] = path[Layout.DIRECT + channel] * kept;
+        }
+        return found > 0f ? 1 : 0;
     }
 
     /** Adds the emitter's light unless a body blocks it. */
