@@ -44,8 +44,7 @@ public final class LightLayers {
     }
 
     /** Adds what the path's ray has met: {@link Layout#EMITTED} times throughput and weight. */
-    static void add(
-            float[] path, float[] scratch, int body, float weight, float[] frame, float[] looks, int variant) {
+    static void add(float[] path, float[] scratch, int body, float weight, float[] frame, float[] looks, int variant) {
         if (Aspect.isLayered(variant) != 0) {
             int at = place(body, frame, looks);
             for (int channel = 0; channel < 3; channel++) {

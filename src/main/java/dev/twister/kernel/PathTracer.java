@@ -17,9 +17,6 @@ public final class PathTracer {
      */
     private static final float SURVIVAL = 2f;
 
-    /** {@code 1 / e}. */
-    private static final float INVERSE_E = 0.36787945f;
-
     /** What a ray is: none, one of the path, or one to an emitter. */
     public static final int NO_RAY = 0;
 
@@ -43,7 +40,7 @@ public final class PathTracer {
             float[] meshes,
             float[] images,
             int variant) {
-        begin(path);
+        begin(path, frame, variant);
         int bounce = 0;
         int ray = TO_SURFACE;
         while (ray != NO_RAY) {
@@ -54,7 +51,8 @@ public final class PathTracer {
     }
 
     /** Prepares for the first {@link #step} from a view ray. */
-    public static void begin(float[] path) {
+    public static void begin(float[] path, float[] frame, int variant) {
+        Medium.begin(path, frame, variant);
         path[Layout.SURFACE_DENSITY] = 0f;
         path[Layout.RAYS] = 0f;
     }
@@ -169,18 +167,7 @@ public final class PathTracer {
         if ((variant & Variant.MAPS) != 0) {
             NormalMap.apply(path, body, frame, bodies, looks, meshes, images, variant);
         }
-        int medium = path[Layout.FROM_INSIDE] > 0f ? body : (int) path[Layout.LEAVING];
-        if (path[Layout.FROM_INSIDE] + path[Layout.INSIDE] > 0f) {
-            absorb(path, Layout.LOOK_STRIDE * medium + Layout.LOOK_ABSORPTION, looks);
-        }
-    }
-
-    /** Multiplies the throughput by {@code exp(-absorption * distance)} (Beer's law). */
-    private static void absorb(float[] path, int absorption, float[] looks) {
-        for (int channel = 0; channel < 3; channel++) {
-            float depth = Math.min(looks[absorption + channel] * path[Layout.DISTANCE], KernelMath.MOST_EXPONENT);
-            path[Layout.THROUGHPUT + channel] = path[Layout.THROUGHPUT + channel] * KernelMath.pow(INVERSE_E, depth);
-        }
+        Medium.meet(path, body, looks);
     }
 
     /** The power heuristic for a direction that could have been chosen in another way, too. */
@@ -281,10 +268,13 @@ public final class PathTracer {
         if (Lobes.scatters(path) != 0) {
             Emitter.choose(path, bounce, frame, bodies, looks, meshes, images, variant);
             if (path[Layout.LIGHT_DENSITY] > 0f) {
-                toEmitter = direct(path, bounce, frame);
+                toEmitter = direct(path, body, bounce, frame, looks);
             }
         }
         Lobes.choose(path, bounce, frame);
+        if (path[Layout.NEXT_INSIDE] != path[Layout.FROM_INSIDE]) {
+            Medium.cross(path, body, path[Layout.NEXT_INSIDE] > 0f ? 1 : 0, looks);
+        }
         if (bounce >= FIRST_ROULETTE) {
             roulette(path, bounce, frame);
         }
@@ -296,12 +286,8 @@ public final class PathTracer {
         }
         path[Layout.LEAVING] = body;
         if (toEmitter != 0) {
-            float side = path[Layout.TO_LIGHT] * path[Layout.NORMAL]
-                    + path[Layout.TO_LIGHT + 1] * path[Layout.NORMAL + 1]
-                    + path[Layout.TO_LIGHT + 2] * path[Layout.NORMAL + 2];
             float inside = path[Layout.FROM_INSIDE];
-            int crosses = (side < 0f ? 1 : 0) & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
-            path[Layout.INSIDE] = crosses != 0 ? Branch.crossed(inside > 0f ? 0 : 1) : inside;
+            path[Layout.INSIDE] = crossesToLight(path) != 0 ? Branch.crossed(inside > 0f ? 0 : 1) : inside;
             for (int axis = 0; axis < 3; axis++) {
                 path[Layout.DIRECTION + axis] = path[Layout.TO_LIGHT + axis];
             }
@@ -323,10 +309,28 @@ public final class PathTracer {
         path[Layout.THROUGHPUT + 2] = 0f;
     }
 
-    /** Writes the light that the chosen emitter adds unless it is blocked; 1 if that is any. */
-    private static int direct(float[] path, int bounce, float[] frame) {
+    /**
+     * Writes {@code f * |cos|} of the direction to the chosen emitter, times what the medium leaves of its light, to
+     * {@link Layout#SCATTERED}; returns the density of {@link Lobes#evaluate}.
+     */
+    public static float evaluateToLight(float[] path, int body, float[] looks) {
         float density =
                 Lobes.evaluate(path, path[Layout.TO_LIGHT], path[Layout.TO_LIGHT + 1], path[Layout.TO_LIGHT + 2]);
+        Medium.dim(path, body, crossesToLight(path), looks);
+        return density;
+    }
+
+    /** 1 if the chosen emitter is on the other side of the surface of a body that has an inside, else 0. */
+    private static int crossesToLight(float[] path) {
+        float side = path[Layout.TO_LIGHT] * path[Layout.NORMAL]
+                + path[Layout.TO_LIGHT + 1] * path[Layout.NORMAL + 1]
+                + path[Layout.TO_LIGHT + 2] * path[Layout.NORMAL + 2];
+        return (side < 0f ? 1 : 0) & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
+    }
+
+    /** Writes the light that the chosen emitter adds unless it is blocked; 1 if that is any. */
+    private static int direct(float[] path, int body, int bounce, float[] frame, float[] looks) {
+        float density = evaluateToLight(path, body, looks);
         float chosen = path[Layout.LIGHT_DENSITY];
         // After the last bounce no ray is scattered that could meet the emitter, too.
         int last = bounce < (int) frame[Layout.BOUNCES] ? 0 : 1;

@@ -138,8 +138,7 @@ class NoiseTest {
     @Test
     void numbersOfAPathAreIndependentOverSamples() {
         float[] frame = frame(PATHS);
-        requireIndependence(
-                IntStream.range(0, PATHS).mapToObj(sample -> path(123, 45, sample)), frame);
+        requireIndependence(IntStream.range(0, PATHS).mapToObj(sample -> path(123, 45, sample)), frame);
     }
 
     /** The same over pixels. */

@@ -43,6 +43,7 @@ final class BruteForce {
         Color found = Color.BLACK;
         Body leaving = null;
         boolean inside = false;
+        OracleMedia media = OracleMedia.around(view.origin(), bodies);
         for (int bounce = 0; throughput.strongest() > 0; bounce++) {
             Body body = closest(ray, leaving, inside);
             if (body == null) {
@@ -53,10 +54,8 @@ final class BruteForce {
             Vector normal = body.normal(ray, point);
             boolean fromInside = body.isMetFromInside(ray, normal);
             OracleMaterial material = body.material(point);
-            Body medium = fromInside ? body : inside ? leaving : null;
-            if (medium != null) {
-                throughput = throughput.times(medium.material().passed(distance));
-            }
+            media = media.at(body, fromInside);
+            throughput = throughput.times(media.passed(distance));
             if (body.emits(ray, fromInside)) {
                 found = found.plus(throughput.times(material.emission()));
             }
@@ -72,6 +71,7 @@ final class BruteForce {
             ray = new Ray(point, next.direction());
             leaving = body;
             inside = next.inside();
+            media = inside == fromInside ? media : media.cross(body, inside);
         }
         return found;
     }
