@@ -30,8 +30,9 @@ final class ShadingOptions {
     @Option(
             names = "--clamp",
             paramLabel = "X",
-            description = "Path tracing: limit, per channel, of light that reaches the eye over more than one surface;"
-                    + " 0 for none. Lower values remove bright specks and lose some light.")
+            description =
+                    "Path tracing: limit of the luminance of light that reaches the eye over more than one surface;"
+                            + " 0 for none. Lower values remove bright specks and lose some light.")
     private Optional<Double> clamp = Optional.empty();
 
     /** The settings with what the options say. */

@@ -70,6 +70,9 @@ public final class JvmKernel {
     public void follow(FrameInput input, int bounce) {
         path[Layout.BOUNCE] = bounce;
         path[Layout.WAITING] = 0;
+        // Lanes have no rays in bodies that take light.
+        path[Layout.MEDIUM] = Layout.NOTHING;
+        path[Layout.OUTER_MEDIUM] = Layout.NOTHING;
         Path.follow(
                 path,
                 scratch,

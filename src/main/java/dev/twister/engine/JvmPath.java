@@ -38,7 +38,7 @@ public final class JvmPath {
     /** Starts a sample's view ray; the row is that of the band. */
     public void start(FrameInput input, int column, int row, int sample) {
         PixelKernel.start(path, column, row, sample, input.view().frame());
-        PathTracer.begin(path);
+        PathTracer.begin(path, input.view().frame(), input.variant(false));
         ray = PathTracer.TO_SURFACE;
         bounce = 0;
     }

@@ -2,6 +2,7 @@ package dev.twister.explain;
 
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Medium;
 import dev.twister.kernel.Path;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.scene.Rgb;
@@ -36,6 +37,7 @@ final class PathRecorder {
 
     List<PathStep> record(int column, int sample) {
         PixelKernel.start(path, column, 0, sample, input.view().frame());
+        Medium.begin(path, input.view().frame(), input.variant(false));
         Source source = new Source(PathStep.NO_PARENT, RayKind.VIEW);
         boolean goesOn = true;
         while (goesOn) {

@@ -13,7 +13,7 @@ import java.util.Optional;
  * @param matte probability of the matte lobe
  * @param glass probability of the transmitting lobe
  * @param emitter the chosen emitter; empty if there is none, or if the surface scatters into single directions alone
- * @param next the chosen lobe; empty at the last bounce
+ * @param next the chosen lobe; empty at the last bounce, unless it is mirror-like
  */
 public record Scattering(
         Vector3 point,

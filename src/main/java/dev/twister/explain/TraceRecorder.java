@@ -58,6 +58,7 @@ final class TraceRecorder {
 
     List<PathStep> record(int column, int sample) {
         PixelKernel.start(path, column, 0, sample, frame);
+        PathTracer.begin(path, frame, variant);
         Source source = new Source(PathStep.NO_PARENT, RayKind.VIEW);
         int surface = PathStep.NO_PARENT;
         int bounce = 0;
@@ -97,9 +98,9 @@ final class TraceRecorder {
         }
         Optional<FoundLight> light = metLight(ray, body);
         Rgb throughput = Floats.rgb(ray, Layout.THROUGHPUT);
-        Optional<Scattering> scattering = body > Layout.LIGHT && !input.isLight(body)
-                ? Optional.of(scattering(ray.clone(), body, bounce))
-                : Optional.empty();
+        boolean scatters = body > Layout.LIGHT && !input.isLight(body) && bounce <= (int) frame[Layout.BOUNCES];
+        Optional<Scattering> scattering =
+                scatters ? Optional.of(scattering(ray.clone(), body, bounce)) : Optional.empty();
         return step(source, bounce, ray, throughput, body, light, scattering);
     }
 
@@ -132,7 +133,7 @@ final class TraceRecorder {
         Lobes.prepare(ray, body, frame, variant);
         boolean last = bounce >= (int) frame[Layout.BOUNCES];
         Optional<EmitterChoice> emitter = Lobes.scatters(ray) != 0 && frame[Layout.EMITTERS] > 0
-                ? Optional.of(emitter(ray, bounce, last))
+                ? Optional.of(emitter(ray, body, bounce, last))
                 : Optional.empty();
         return new Scattering(
                 Floats.place(ray, Layout.POINT, input.bodies().origin()),
@@ -143,14 +144,14 @@ final class TraceRecorder {
                 ray[Layout.CHOICE_MATTE],
                 ray[Layout.CHOICE_GLASS],
                 emitter,
-                last ? Optional.empty() : Optional.of(next(ray, bounce)));
+                Optional.of(next(ray, bounce)).filter(_ -> PathTracer.endsAt(ray, bounce, frame) == 0));
     }
 
-    private EmitterChoice emitter(float[] ray, int bounce, boolean last) {
+    private EmitterChoice emitter(float[] ray, int body, int bounce, boolean last) {
         int emitter = Emitter.chosen(ray, bounce, frame, looks);
         Emitter.choose(ray, bounce, frame, bodies, looks, meshes, input.images(), variant);
         float chosen = ray[Layout.LIGHT_DENSITY];
-        float density = Lobes.evaluate(ray, ray[Layout.TO_LIGHT], ray[Layout.TO_LIGHT + 1], ray[Layout.TO_LIGHT + 2]);
+        float density = PathTracer.evaluateToLight(ray, body, looks);
         // After the last bounce no ray is scattered that could meet the emitter, too.
         float weight = last ? 1 : PathTracer.weight(chosen, density);
         direct = new FoundLight(Floats.rgb(ray, Layout.EMITTED), density, chosen, weight);

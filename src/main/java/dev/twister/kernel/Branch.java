@@ -18,7 +18,8 @@ public final class Branch {
      * @param lit in [0, 1]
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      */
-    static void split(float[] path, int body, float mirror, float transmission, float lit, float[] scratch) {
+    static void split(
+            float[] path, int body, float mirror, float transmission, float lit, float[] scratch, float[] looks) {
         int waiting = (int) path[Layout.WAITING];
         float facing = Facet.directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
         float cosineIn = Math.abs(Facet.directionDot(path, Layout.NORMAL));
@@ -77,8 +78,15 @@ public final class Branch {
         int passesFirst = both != 0 ? fainterPasses : onlyPasses;
         int refractedInside = body == Layout.PLANE ? 0 : 1 - inside;
         int first = Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * waiting;
+        float medium = path[Layout.MEDIUM];
+        float outer = path[Layout.OUTER_MEDIUM];
+        if (body != Layout.PLANE) {
+            Medium.cross(path, body, refractedInside, looks);
+        }
         if (both != 0) {
             int passes = 1 - passesFirst;
+            scratch[first + Layout.RAY_MEDIUM] = passes != 0 ? path[Layout.MEDIUM] : medium;
+            scratch[first + Layout.RAY_OUTER_MEDIUM] = passes != 0 ? path[Layout.OUTER_MEDIUM] : outer;
             start(
                     scratch,
                     first,
@@ -103,6 +111,8 @@ public final class Branch {
                 passesFirst != 0 ? refractedZ : reflectedZ,
                 passesFirst,
                 passesFirst != 0 ? refracted : none);
+        path[Layout.MEDIUM] = passesFirst != 0 ? path[Layout.MEDIUM] : medium;
+        path[Layout.OUTER_MEDIUM] = passesFirst != 0 ? path[Layout.OUTER_MEDIUM] : outer;
         path[Layout.WAITING] = waiting + both;
     }
 
@@ -110,9 +120,11 @@ public final class Branch {
     static void resume(float[] path, float[] scratch) {
         int waiting = (int) path[Layout.WAITING] - 1;
         int first = Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * waiting;
-        for (int i = 0; i < Layout.RAY_STRIDE; i++) {
+        for (int i = 0; i < Layout.RAY_LENGTH; i++) {
             path[i] = scratch[first + i];
         }
+        path[Layout.MEDIUM] = scratch[first + Layout.RAY_MEDIUM];
+        path[Layout.OUTER_MEDIUM] = scratch[first + Layout.RAY_OUTER_MEDIUM];
         path[Layout.WAITING] = waiting;
     }
 

@@ -77,7 +77,7 @@ public final class Layout {
     /** Place of the maps' table in {@code looks}. */
     public static final int MAPS = 37;
 
-    /** For path tracing: limit of what reaches the eye over several surfaces, per channel; 0 for none. */
+    /** For path tracing: limit of the luminance of what reaches the eye over several surfaces; 0 for none. */
     public static final int CLAMP = 38;
 
     /** Place of the table of emitters in {@code looks}, their number, and the sky's, from 1 on, or 0. */
@@ -113,13 +113,18 @@ public final class Layout {
 
     public static final int LIGHT_GROUPS = 48;
 
+    /** The body that the camera is in, and the one around that ({@link Medium}); {@link #NOTHING} for none. */
+    public static final int CAMERA_MEDIUM = 49;
+
+    public static final int CAMERA_OUTER_MEDIUM = 50;
+
     /** Place of the pixel's samples in {@code frame}. */
-    public static final int SAMPLES = 49;
+    public static final int SAMPLES = 51;
 
     /**
      * The points of the unit sunflower, x and y of each shadow sample; then, at {@link #SAMPLES}, the pixel's samples.
      */
-    public static final int DISC = 50;
+    public static final int DISC = 52;
 
     /**
      * A sample of the pixel, {@value #SAMPLE_STRIDE} floats: its position in the pixel, x and y in (0, 1); then pairs
@@ -385,8 +390,12 @@ public final class Layout {
     /** Limit of waiting rays: the fainter of two rays is followed first, and has at most half of the throughput. */
     public static final int MOST_WAITING_RAYS = 10;
 
-    /** Length of a waiting ray: the first floats of its path. */
-    public static final int RAY_STRIDE = 13;
+    /** A waiting ray: the first floats of its path, then the bodies that it is in. */
+    public static final int RAY_LENGTH = 13;
+
+    public static final int RAY_MEDIUM = RAY_LENGTH;
+    public static final int RAY_OUTER_MEDIUM = RAY_LENGTH + 1;
+    public static final int RAY_STRIDE = RAY_LENGTH + 2;
 
     /** Length of the scratch if all materials are plain and there are no meshes. */
     public static final int PLAIN_SCRATCH_LENGTH = SCRATCH_TRANSMISSIONS;
@@ -537,51 +546,56 @@ public final class Layout {
 
     public static final int UPWARD = 93;
 
-    public static final int PATH_LENGTH = 96;
+    /** The body that the ray is in, and the one around that ({@link Medium}); {@link #NOTHING} for none. */
+    public static final int MEDIUM = 96;
+
+    public static final int OUTER_MEDIUM = 97;
+
+    public static final int PATH_LENGTH = 98;
 
     /** For path tracing: index of refraction on the ray's side divided by that on the other side. */
-    public static final int RATIO = 96;
+    public static final int RATIO = 98;
 
     /** 1 for the plane, which has no inside, else 0. */
-    public static final int IS_SHEET = 97;
+    public static final int IS_SHEET = 99;
 
     /** Weights of the constant reflection, of the dielectric one, of the matte part and of transmission. */
-    public static final int PART_MIRROR = 98;
+    public static final int PART_MIRROR = 100;
 
-    public static final int PART_COAT = 99;
-    public static final int PART_MATTE = 100;
-    public static final int PART_GLASS = 101;
+    public static final int PART_COAT = 101;
+    public static final int PART_MATTE = 102;
+    public static final int PART_GLASS = 103;
 
     /** Probabilities of the lobes. */
-    public static final int CHOICE_MIRROR = 102;
+    public static final int CHOICE_MIRROR = 104;
 
-    public static final int CHOICE_MATTE = 103;
-    public static final int CHOICE_GLASS = 104;
+    public static final int CHOICE_MATTE = 105;
+    public static final int CHOICE_GLASS = 106;
 
     /** {@code f * |cos|} per channel. */
-    public static final int SCATTERED = 105;
+    public static final int SCATTERED = 107;
 
     /** Density per steradian with which the surface chose the path's ray; 0 if it had no choice. */
-    public static final int SURFACE_DENSITY = 108;
+    public static final int SURFACE_DENSITY = 110;
 
     /** The next ray: its direction, and whether it is inside the body (1, else 0). */
-    public static final int NEXT_DIRECTION = 109;
+    public static final int NEXT_DIRECTION = 111;
 
-    public static final int NEXT_INSIDE = 112;
+    public static final int NEXT_INSIDE = 114;
 
     /** Density per steradian of the chosen emitter's direction, its radiance, and what it adds unless blocked. */
-    public static final int LIGHT_DENSITY = 113;
+    public static final int LIGHT_DENSITY = 115;
 
-    public static final int EMITTED = 114;
-    public static final int DIRECT = 117;
+    public static final int EMITTED = 116;
+    public static final int DIRECT = 119;
 
     /** Unit normal of the chosen triangle. */
-    public static final int EMITTER_FACE = 120;
+    public static final int EMITTER_FACE = 122;
 
     /** Number of rays followed so far, if the opacity of meshes is a matter of chance. */
-    public static final int RAYS = 123;
+    public static final int RAYS = 125;
 
-    public static final int TRACED_PATH_LENGTH = 124;
+    public static final int TRACED_PATH_LENGTH = 126;
 
     /** With {@link Guides}: the sums over the pixel's samples. */
     public static final int GUIDE_ALBEDO = TRACED_PATH_LENGTH;

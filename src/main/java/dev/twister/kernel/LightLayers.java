@@ -43,25 +43,13 @@ public final class LightLayers {
         }
     }
 
-    /**
-     * Adds what the path's ray has met: {@link Layout#EMITTED} times throughput and weight.
-     *
-     * @param most limit of each channel; 0 for none
-     */
-    static void add(
-            float[] path,
-            float[] scratch,
-            int body,
-            float weight,
-            float most,
-            float[] frame,
-            float[] looks,
-            int variant) {
+    /** Adds what the path's ray has met: {@link Layout#EMITTED} times throughput and weight. */
+    static void add(float[] path, float[] scratch, int body, float weight, float[] frame, float[] looks, int variant) {
         if (Aspect.isLayered(variant) != 0) {
             int at = place(body, frame, looks);
             for (int channel = 0; channel < 3; channel++) {
-                float found = path[Layout.THROUGHPUT + channel] * weight * path[Layout.EMITTED + channel];
-                scratch[at + channel] = scratch[at + channel] + (most > 0f ? Math.min(found, most) : found);
+                scratch[at + channel] = scratch[at + channel]
+                        + path[Layout.THROUGHPUT + channel] * weight * path[Layout.EMITTED + channel];
             }
         }
     }

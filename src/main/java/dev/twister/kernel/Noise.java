@@ -13,11 +13,17 @@ public final class Noise {
     public static final int SECOND_SHIFT = 7;
     public static final int THIRD_SHIFT = 9;
 
+    /** Columns and rows are below it. */
+    private static final int SIDE = 0x4000;
+
     /** All shifts are multiples of it. */
     public static final float STEP = 0x1p-16f;
 
     /** Numbers for each surface of a traced path. */
     private static final int PLACES = 6;
+
+    /** Place of the numbers of blended triangles, after those of all surfaces and their ends. */
+    private static final int CROSSING = Layout.SAMPLE_SURFACE + (PLACES + 1) * (Layout.MOST_BOUNCES + 1);
 
     private Noise() {}
 
@@ -46,23 +52,34 @@ public final class Noise {
             number = number(path, place, frame);
         }
         if (place >= Layout.SAMPLE_STRIDE) {
-            int column = (int) path[Layout.PIXEL_COLUMN];
-            int row = (int) path[Layout.PIXEL_ROW];
-            int sample = (int) frame[Layout.FIRST_SAMPLE]
-                    + ((int) path[Layout.PIXEL_SAMPLE] - (int) frame[Layout.SAMPLES]) / Layout.SAMPLE_STRIDE;
-            int pixel = hash(column, row, place);
-            int high = mixed(mixed(pixel ^ (sample & BITS)) ^ mixed((sample >> 16) ^ mixed(place)));
-            int low = mixed(high ^ hash(row, column, place + 1)) & 255;
+            int high = high(path, place, frame);
+            int swapped = hash((int) path[Layout.PIXEL_ROW], (int) path[Layout.PIXEL_COLUMN], place + 1);
+            int low = mixed(high ^ swapped) & 255;
             number = STEP * high + STEP * STEP * 256f * low;
         }
         return number;
     }
 
-    /** The number that decides whether the path's ray goes through a blended triangle of a body. */
+    /** 16 bits that depend on pixel, sample and place. */
+    private static int high(float[] path, int place, float[] frame) {
+        int sample = (int) frame[Layout.FIRST_SAMPLE]
+                + ((int) path[Layout.PIXEL_SAMPLE] - (int) frame[Layout.SAMPLES]) / Layout.SAMPLE_STRIDE;
+        int pixel = hash((int) path[Layout.PIXEL_COLUMN], (int) path[Layout.PIXEL_ROW], place);
+        return mixed(mixed(pixel ^ (sample & BITS)) ^ mixed((sample >> 16) ^ mixed(place)));
+    }
+
+    /**
+     * The number that decides whether the path's ray goes through a blended triangle of a body. Each key is mixed by
+     * itself before it joins the others, so that no two pairs of ray and triangle have the same number.
+     */
     static float crossing(float[] path, int body, int triangle, float[] frame) {
-        int ray = mixed((int) path[Layout.RAYS] & BITS);
-        int place = mixed(mixed(triangle & BITS) ^ mixed((triangle >> 16) ^ mixed(body & BITS)) ^ ray) >> 1;
-        return fresh(path, Math.max(place, Layout.SAMPLE_STRIDE), frame);
+        int number = high(path, CROSSING, frame);
+        number = mixed(number ^ mixed(((int) path[Layout.RAYS] & BITS) ^ mixed(CROSSING + 1)));
+        number = mixed(number ^ mixed((triangle & BITS) ^ mixed(CROSSING + 2)));
+        number = mixed(number ^ mixed((body & BITS) ^ mixed(CROSSING + 3)));
+        // Bodies and triangles are below 2^24, as floats hold them.
+        number = mixed(number ^ mixed(((triangle >> 16) + 256 * (body >> 16)) ^ mixed(CROSSING + 4)));
+        return STEP * number;
     }
 
     /** Place of the three numbers that choose an emitter. */
@@ -92,11 +109,27 @@ public final class Noise {
     /**
      * A hash in [0, 65536), uniformly distributed. Two pixels with equal hashes at one place differ at another.
      *
-     * @param column in [0, 65536), like the row
+     * @param column in [0, 16384), like the row
      * @param place in [0, 32768)
      */
     public static int hash(int column, int row, int place) {
-        return mixed(mixed(column ^ mixed(2 * place)) ^ mixed(row ^ mixed(2 * place + 1)));
+        return mixed(mixed(column ^ columnKey(place)) ^ mixed(row ^ rowKey(place)));
+    }
+
+    /** What a pixel's column is combined with before it is mixed, in [0, 65536). */
+    public static int columnKey(int place) {
+        return mixed(2 * place);
+    }
+
+    /**
+     * The same for its row. The two keys differ in one of their first two bits: otherwise all pixels whose column and
+     * row differ as the keys do, a line across the picture, would have one number. At the sample's own numbers that is
+     * so for pictures of up to 2,048 pixels in any case.
+     */
+    public static int rowKey(int place) {
+        int key = mixed(2 * place + 1);
+        int lines = (place < Layout.SAMPLE_STRIDE ? 0 : 1) & ((key ^ columnKey(place)) < SIDE ? 1 : 0);
+        return lines != 0 ? key ^ 2 * SIDE : key;
     }
 
     /** A permutation of [0, 65536). */

@@ -47,6 +47,9 @@ public final class Path {
         int isLight = LightBody.isLight(body, frame, variant);
         if (((body >= Layout.PLANE ? 1 : 0) & (1 - isLight)) != 0) {
             meet(path, body, frame, bodies, looks, meshes, images, variant);
+            if ((variant & Variant.MATERIALS) != 0) {
+                Medium.meet(path, body, looks);
+            }
             float visible = 1f;
             float lit = 1f;
             if ((variant & Variant.LIGHTS) != 0) {
@@ -68,11 +71,14 @@ public final class Path {
             SkyLookup.add(path, frame, images);
             if (Aspect.isGuided(variant) != 0) {
                 SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
-                LightLayers.add(path, scratch, body, 1f, 0f, frame, looks, variant);
+                LightLayers.add(path, scratch, body, 1f, frame, looks, variant);
                 Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
             }
         }
         if (isLight != 0) {
+            if ((variant & Variant.MATERIALS) != 0) {
+                Medium.absorb(path, looks);
+            }
             Illumination.add(path, body, looks);
             int look = Layout.LOOK_STRIDE * body;
             Guides.shine(path, looks[look], looks[look + 1], looks[look + 2], variant);
@@ -158,7 +164,7 @@ public final class Path {
         }
         path[Layout.BOUNCE] = path[Layout.BOUNCE] + 1f;
         if ((variant & Variant.MATERIALS) != 0) {
-            Branch.split(path, body, mirror, transmission, lit, scratch);
+            Branch.split(path, body, mirror, transmission, lit, scratch, looks);
         } else {
             Scatter.reflect(path, body, mirror * lit);
         }

@@ -17,9 +17,6 @@ public final class PathTracer {
      */
     private static final float SURVIVAL = 2f;
 
-    /** {@code 1 / e}. */
-    private static final float INVERSE_E = 0.36787945f;
-
     /** What a ray is: none, one of the path, or one to an emitter. */
     public static final int NO_RAY = 0;
 
@@ -43,7 +40,7 @@ public final class PathTracer {
             float[] meshes,
             float[] images,
             int variant) {
-        begin(path);
+        begin(path, frame, variant);
         int bounce = 0;
         int ray = TO_SURFACE;
         while (ray != NO_RAY) {
@@ -54,7 +51,8 @@ public final class PathTracer {
     }
 
     /** Prepares for the first {@link #step} from a view ray. */
-    public static void begin(float[] path) {
+    public static void begin(float[] path, float[] frame, int variant) {
+        Medium.begin(path, frame, variant);
         path[Layout.SURFACE_DENSITY] = 0f;
         path[Layout.RAYS] = 0f;
     }
@@ -134,7 +132,11 @@ public final class PathTracer {
         }
         int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
         if (isSurface != 0) {
-            toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
+            if (bounce <= (int) frame[Layout.BOUNCES]) {
+                toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
+            } else {
+                end(path);
+            }
             Guides.trace(path, variant);
         }
         int goesOn = isSurface != 0 ? carriesLight(path) : 0;
@@ -165,18 +167,7 @@ public final class PathTracer {
         if ((variant & Variant.MAPS) != 0) {
             NormalMap.apply(path, body, frame, bodies, looks, meshes, images, variant);
         }
-        int medium = path[Layout.FROM_INSIDE] > 0f ? body : (int) path[Layout.LEAVING];
-        if (path[Layout.FROM_INSIDE] + path[Layout.INSIDE] > 0f) {
-            absorb(path, Layout.LOOK_STRIDE * medium + Layout.LOOK_ABSORPTION, looks);
-        }
-    }
-
-    /** Multiplies the throughput by {@code exp(-absorption * distance)} (Beer's law). */
-    private static void absorb(float[] path, int absorption, float[] looks) {
-        for (int channel = 0; channel < 3; channel++) {
-            float depth = Math.min(looks[absorption + channel] * path[Layout.DISTANCE], KernelMath.MOST_EXPONENT);
-            path[Layout.THROUGHPUT + channel] = path[Layout.THROUGHPUT + channel] * KernelMath.pow(INVERSE_E, depth);
-        }
+        Medium.meet(path, body, looks);
     }
 
     /** The power heuristic for a direction that could have been chosen in another way, too. */
@@ -192,9 +183,9 @@ public final class PathTracer {
             weight = weight(path[Layout.SURFACE_DENSITY], Emitter.skyDensity(path, frame, looks, images));
         }
         SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
-        float most = bounce > 1 ? frame[Layout.CLAMP] : 0f;
-        add(path, weight, most);
-        LightLayers.add(path, scratch, Layout.NOTHING, weight, most, frame, looks, variant);
+        weight = clamped(path, weight, bounce, frame);
+        add(path, weight);
+        LightLayers.add(path, scratch, Layout.NOTHING, weight, frame, looks, variant);
         Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
     }
 
@@ -216,24 +207,44 @@ public final class PathTracer {
             for (int channel = 0; channel < 3; channel++) {
                 path[Layout.EMITTED + channel] = Emitter.emission(path, body, channel, looks, variant);
             }
-            float most = bounce > 1 ? frame[Layout.CLAMP] : 0f;
-            add(path, weight, most);
-            LightLayers.add(path, scratch, body, weight, most, frame, looks, variant);
+            weight = clamped(path, weight, bounce, frame);
+            add(path, weight);
+            LightLayers.add(path, scratch, body, weight, frame, looks, variant);
             Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
         }
     }
 
-    /**
-     * Adds emitted radiance times the throughput.
-     *
-     * @param most limit of each channel; 0 for none
-     */
-    private static void add(float[] path, float weight, float most) {
+    /** Adds emitted radiance times the throughput. */
+    private static void add(float[] path, float weight) {
         for (int channel = 0; channel < 3; channel++) {
-            float found = path[Layout.THROUGHPUT + channel] * weight * path[Layout.EMITTED + channel];
-            path[Layout.RADIANCE + channel] =
-                    path[Layout.RADIANCE + channel] + (most > 0f ? Math.min(found, most) : found);
+            path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
+                    + path[Layout.THROUGHPUT + channel] * weight * path[Layout.EMITTED + channel];
         }
+    }
+
+    /** The weight of the light that the path has met, less what the clamp takes. */
+    private static float clamped(float[] path, float weight, int bounce, float[] frame) {
+        float most = bounce > 1 ? frame[Layout.CLAMP] : 0f;
+        float luminance = luminance(
+                path[Layout.THROUGHPUT] * path[Layout.EMITTED],
+                path[Layout.THROUGHPUT + 1] * path[Layout.EMITTED + 1],
+                path[Layout.THROUGHPUT + 2] * path[Layout.EMITTED + 2]);
+        return weight * kept(weight * luminance, most);
+    }
+
+    /**
+     * Factor of light for the clamp, which limits its luminance and leaves its hue.
+     *
+     * @param most limit of the luminance; 0 for none
+     */
+    private static float kept(float luminance, float most) {
+        int clamps = (most > 0f ? 1 : 0) & (luminance > most ? 1 : 0);
+        return clamps != 0 ? most / luminance : 1f;
+    }
+
+    /** Luminance of linear sRGB (ITU-R BT.709). */
+    private static float luminance(float red, float green, float blue) {
+        return 0.2126f * red + 0.7152f * green + 0.0722f * blue;
     }
 
     /**
@@ -257,30 +268,26 @@ public final class PathTracer {
         if (Lobes.scatters(path) != 0) {
             Emitter.choose(path, bounce, frame, bodies, looks, meshes, images, variant);
             if (path[Layout.LIGHT_DENSITY] > 0f) {
-                toEmitter = direct(path, bounce, frame);
+                toEmitter = direct(path, body, bounce, frame, looks);
             }
         }
-        if (bounce < (int) frame[Layout.BOUNCES]) {
-            Lobes.choose(path, bounce, frame);
-            if (bounce >= FIRST_ROULETTE) {
-                roulette(path, bounce, frame);
-            }
-        } else {
-            path[Layout.THROUGHPUT] = 0f;
-            path[Layout.THROUGHPUT + 1] = 0f;
-            path[Layout.THROUGHPUT + 2] = 0f;
+        Lobes.choose(path, bounce, frame);
+        if (path[Layout.NEXT_INSIDE] != path[Layout.FROM_INSIDE]) {
+            Medium.cross(path, body, path[Layout.NEXT_INSIDE] > 0f ? 1 : 0, looks);
+        }
+        if (bounce >= FIRST_ROULETTE) {
+            roulette(path, bounce, frame);
+        }
+        if (endsAt(path, bounce, frame) != 0) {
+            end(path);
         }
         for (int axis = 0; axis < 3; axis++) {
             path[Layout.ORIGIN + axis] = path[Layout.POINT + axis];
         }
         path[Layout.LEAVING] = body;
         if (toEmitter != 0) {
-            float side = path[Layout.TO_LIGHT] * path[Layout.NORMAL]
-                    + path[Layout.TO_LIGHT + 1] * path[Layout.NORMAL + 1]
-                    + path[Layout.TO_LIGHT + 2] * path[Layout.NORMAL + 2];
             float inside = path[Layout.FROM_INSIDE];
-            int crosses = (side < 0f ? 1 : 0) & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
-            path[Layout.INSIDE] = crosses != 0 ? Branch.crossed(inside > 0f ? 0 : 1) : inside;
+            path[Layout.INSIDE] = crossesToLight(path) != 0 ? Branch.crossed(inside > 0f ? 0 : 1) : inside;
             for (int axis = 0; axis < 3; axis++) {
                 path[Layout.DIRECTION + axis] = path[Layout.TO_LIGHT + axis];
             }
@@ -288,26 +295,58 @@ public final class PathTracer {
         return toEmitter;
     }
 
-    /** Writes the light that the chosen emitter adds unless it is blocked; 1 if that is any. */
-    private static int direct(float[] path, int bounce, float[] frame) {
+    /**
+     * 1 if the path ends at the surface that it has met, after {@link Lobes#choose}: at the last one, whose light has
+     * been taken from an emitter, unless its direction is mirror-like. Such a ray may still meet an emitter or the sky.
+     */
+    public static int endsAt(float[] path, int bounce, float[] frame) {
+        return (bounce < (int) frame[Layout.BOUNCES] ? 0 : 1) & (path[Layout.SURFACE_DENSITY] > 0f ? 1 : 0);
+    }
+
+    private static void end(float[] path) {
+        path[Layout.THROUGHPUT] = 0f;
+        path[Layout.THROUGHPUT + 1] = 0f;
+        path[Layout.THROUGHPUT + 2] = 0f;
+    }
+
+    /**
+     * Writes {@code f * |cos|} of the direction to the chosen emitter, times what the medium leaves of its light, to
+     * {@link Layout#SCATTERED}; returns the density of {@link Lobes#evaluate}.
+     */
+    public static float evaluateToLight(float[] path, int body, float[] looks) {
         float density =
                 Lobes.evaluate(path, path[Layout.TO_LIGHT], path[Layout.TO_LIGHT + 1], path[Layout.TO_LIGHT + 2]);
+        Medium.dim(path, body, crossesToLight(path), looks);
+        return density;
+    }
+
+    /** 1 if the chosen emitter is on the other side of the surface of a body that has an inside, else 0. */
+    private static int crossesToLight(float[] path) {
+        float side = path[Layout.TO_LIGHT] * path[Layout.NORMAL]
+                + path[Layout.TO_LIGHT + 1] * path[Layout.NORMAL + 1]
+                + path[Layout.TO_LIGHT + 2] * path[Layout.NORMAL + 2];
+        return (side < 0f ? 1 : 0) & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
+    }
+
+    /** Writes the light that the chosen emitter adds unless it is blocked; 1 if that is any. */
+    private static int direct(float[] path, int body, int bounce, float[] frame, float[] looks) {
+        float density = evaluateToLight(path, body, looks);
         float chosen = path[Layout.LIGHT_DENSITY];
         // After the last bounce no ray is scattered that could meet the emitter, too.
         int last = bounce < (int) frame[Layout.BOUNCES] ? 0 : 1;
         float weight = (last != 0 ? 1f : weight(chosen, density)) / chosen;
-        float most = frame[Layout.CLAMP];
-        int clamps = (bounce > 0 ? 1 : 0) & (most > 0f ? 1 : 0);
-        float sum = 0f;
         for (int channel = 0; channel < 3; channel++) {
-            float found = path[Layout.THROUGHPUT + channel]
+            path[Layout.DIRECT + channel] = path[Layout.THROUGHPUT + channel]
                     * weight
                     * path[Layout.SCATTERED + channel]
                     * path[Layout.EMITTED + channel];
-            path[Layout.DIRECT + channel] = clamps != 0 ? Math.min(found, most) : found;
-            sum = sum + found;
         }
-        return sum > 0f ? 1 : 0;
+        float found = luminance(path[Layout.DIRECT], path[Layout.DIRECT + 1], path[Layout.DIRECT + 2]);
+        float kept = kept(found, bounce > 0 ? frame[Layout.CLAMP] : 0f);
+        for (int channel = 0; channel < 3; channel++) {
+            path[Layout.DIRECT + channel] = path[Layout.DIRECT + channel] * kept;
+        }
+        return found > 0f ? 1 : 0;
     }
 
     /** Adds the emitter's light unless a body blocks it. */

@@ -36,6 +36,7 @@ public final class PixelKernel {
         LightLayers.start(scratch, frame, variant);
         for (int sample = 0; sample < samples; sample++) {
             start(path, column, row, sample, frame);
+            Medium.begin(path, frame, variant);
             Guides.begin(path, variant);
             add(path, scratch, frame, bodies, looks, meshes, images, variant);
         }

@@ -70,7 +70,7 @@ final class WhittedLayers {
             for (int channel = 0; channel < 3; channel++) {
                 path[Layout.EMITTED + channel] = looks[Layout.LOOK_STRIDE * light + channel];
             }
-            LightLayers.add(path, scratch, light, 1f, 0f, frame, looks, variant);
+            LightLayers.add(path, scratch, light, 1f, frame, looks, variant);
         }
     }
 
@@ -82,7 +82,7 @@ final class WhittedLayers {
                 for (int channel = 0; channel < 3; channel++) {
                     path[Layout.EMITTED + channel] = Emitter.emission(path, body, channel, looks, variant);
                 }
-                LightLayers.add(path, scratch, body, 1f, 0f, frame, looks, variant);
+                LightLayers.add(path, scratch, body, 1f, frame, looks, variant);
             }
         }
     }

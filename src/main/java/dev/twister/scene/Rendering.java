@@ -10,13 +10,14 @@ import dev.twister.scene.property.SceneLimits;
  * @param width in pixels, 1 to {@value #MAX_SIDE}
  * @param height in pixels, 1 to {@value #MAX_SIDE}
  * @param shadowSamples points on the light's disc, 1 to {@value #MAX_SHADOW_SAMPLES}; 1 is a hard shadow
- * @param bounces limit of reflections, 0 to {@value #MAX_BOUNCES}
+ * @param bounces limit of reflections, in path tracing the number of surfaces after the first one; 0 to
+ *     {@value #MAX_BOUNCES}
  * @param samplesPerPixel view rays a pixel, 1 to {@value #MAX_SAMPLES_PER_PIXEL}
  * @param exposure in stops, -20 to 20: linear color is multiplied by 2^exposure
  * @param toneMap applied after the exposure
  * @param srgb whether the sRGB curve is applied after the tone map
  * @param integrator how light is followed
- * @param clamp for path tracing: limit, per channel, of light that reaches the eye over more than one surface; 0 for
+ * @param clamp for path tracing: limit of the luminance of light that reaches the eye over more than one surface; 0 for
  *     none
  */
 public record Rendering(

@@ -43,6 +43,19 @@ public record Bodies(
         return floats[Layout.PLACE_STRIDE * body + Layout.PLACE_SIZE];
     }
 
+    /** Whether some body transmits light and takes a part of it. */
+    public boolean absorb() {
+        boolean absorb = false;
+        for (int body = Layout.FIRST_SPHERE; body < end && !plain() && !absorb; body++) {
+            int look = Layout.LOOK_STRIDE * body;
+            int absorption = look + Layout.LOOK_ABSORPTION;
+            // Of lights, the same floats are something else.
+            absorb = looks[look + Layout.LOOK_TRANSMISSION] > 0
+                    && looks[absorption] + looks[absorption + 1] + looks[absorption + 2] > 0;
+        }
+        return absorb;
+    }
+
     /** Place of the first sphere of the spheres' hierarchy. */
     public int spheres() {
         return Layout.PLACE_STRIDE * end;

@@ -320,6 +320,7 @@ public final class World {
         values[Layout.CLAMP] = (float) settings.clamp();
         values[Layout.LIGHTS] = scene.lights().count();
         values[Layout.SECOND_LIGHT] = places.room();
+        CameraMedia.write(values, bodies, places.present());
         values[Layout.FIRST_SAMPLE] = PixelSamples.first(settings.samplesPerPixel());
         return values;
     }

@@ -55,7 +55,7 @@ class GlassSphereTest {
         SurfaceLook.find(path, body, frame, looks, none, Variant.MATERIALS);
         Surface.face(path, body, frame, Variant.MATERIALS);
         Facet.find(path, frame);
-        Branch.split(path, body, 0f, 1f, 1f, scratch);
+        Branch.split(path, body, 0f, 1f, 1f, scratch, looks);
         boolean crossed = path[Layout.INSIDE] == Layout.CROSSED_INTO || path[Layout.INSIDE] == Layout.CROSSED_OUT;
         if (path[Layout.WAITING] > 0 && !crossed) {
             Branch.resume(path, scratch);

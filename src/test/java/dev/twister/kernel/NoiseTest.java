@@ -2,6 +2,13 @@ package dev.twister.kernel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.scene.Rendering;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.DoubleUnaryOperator;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -11,6 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class NoiseTest {
     private static final int SIDE = 256;
     private static final int PIXELS = SIDE * SIDE;
+    private static final int PATHS = 512;
 
     @ParameterizedTest
     @ValueSource(ints = {2, 3, 4, 7, 15})
@@ -91,7 +99,7 @@ class NoiseTest {
 
     /** Picture sides are at most 16,384, and the product must not overflow beyond that either. */
     @ParameterizedTest
-    @CsvSource({"0, 0, 2", "16383, 16383, 15", "65535, 65535, 15", "65535, 0, 2", "42195, 1, 2"})
+    @CsvSource({"0, 0, 2", "16383, 16383, 15", "65535, 65535, 15", "65535, 0, 2", "42195, 1, 2", "16383, 1, 459"})
     void staysInItsRange(int column, int row, int place) {
         assertThat(Noise.hash(column, row, place)).isBetween(0, 65535);
     }
@@ -115,11 +123,87 @@ class NoiseTest {
     }
 
     private static double surface(float[] frame, int sample, int bounce) {
-        float[] path = new float[Layout.PATH_LENGTH];
-        path[Layout.PIXEL_COLUMN] = 123;
-        path[Layout.PIXEL_ROW] = 45;
+        return Noise.fresh(path(123, 45, sample), Noise.surface(bounce), frame);
+    }
+
+    private static float[] path(int column, int row, int sample) {
+        float[] path = new float[Layout.TRACED_PATH_LENGTH];
+        path[Layout.PIXEL_COLUMN] = column;
+        path[Layout.PIXEL_ROW] = row;
         path[Layout.PIXEL_SAMPLE] = Layout.DISC + Layout.SAMPLE_STRIDE * sample;
-        return Noise.fresh(path, Noise.surface(bounce), frame);
+        return path;
+    }
+
+    /** Every pair of the numbers that one path can draw, over the samples of one pixel. */
+    @Test
+    void numbersOfAPathAreIndependentOverSamples() {
+        float[] frame = frame(PATHS);
+        requireIndependence(IntStream.range(0, PATHS).mapToObj(sample -> path(123, 45, sample)), frame);
+    }
+
+    /** The same over pixels. */
+    @Test
+    void numbersOfAPathAreIndependentOverPixels() {
+        requireIndependence(
+                IntStream.range(0, PATHS).mapToObj(pixel -> path(300 + pixel % 64, 200 + pixel / 64, 0)), frame(1));
+    }
+
+    private static void requireIndependence(Stream<float[]> paths, float[] frame) {
+        double[][] numbers = paths.map(path -> numbers(path, frame)).toArray(double[][]::new);
+        int count = numbers[0].length;
+        assertThat(count).isGreaterThan(6 * (Layout.MOST_BOUNCES + 1));
+        List<String> dependent = new ArrayList<>();
+        for (DoubleUnaryOperator shape : List.<DoubleUnaryOperator>of(
+                x -> Math.sqrt(12) * (x - 0.5), x -> Math.sqrt(2) * Math.cos(2 * Math.PI * x))) {
+            float[][] shaped = new float[count][PATHS];
+            for (int number = 0; number < count; number++) {
+                for (int path = 0; path < PATHS; path++) {
+                    shaped[number][path] = (float) shape.applyAsDouble(numbers[path][number]);
+                }
+            }
+            for (int number = 0; number < count; number++) {
+                for (int other = number + 1; other < count; other++) {
+                    float sum = 0;
+                    for (int path = 0; path < PATHS; path++) {
+                        sum += shaped[number][path] * shaped[other][path];
+                    }
+                    if (Math.abs(sum / PATHS) > 6 / Math.sqrt(PATHS)) {
+                        dependent.add("%d and %d: %.3f".formatted(number, other, sum / PATHS));
+                    }
+                }
+            }
+        }
+        assertThat(dependent).isEmpty();
+    }
+
+    /** For the lens, for each surface, for its end, and for each of some triangles that each of some rays meets. */
+    private static double[] numbers(float[] path, float[] frame) {
+        DoubleStream.Builder numbers = DoubleStream.builder();
+        for (int place = Layout.SAMPLE_LENS; place < Noise.scatter(Layout.MOST_BOUNCES) + 3; place++) {
+            numbers.add(Noise.fresh(path, place, frame));
+        }
+        for (int bounce = PathTracer.FIRST_ROULETTE; bounce <= Layout.MOST_BOUNCES; bounce++) {
+            numbers.add(Noise.fresh(path, Noise.roulette(bounce), frame));
+        }
+        for (int triangle : new int[] {0, 1, 2, 3, 0x10000, 0x10001}) {
+            for (int body : new int[] {2, 3, 0x10002}) {
+                for (int ray = 0; ray < 6; ray++) {
+                    path[Layout.RAYS] = ray;
+                    numbers.add(Noise.crossing(path, body, triangle, frame));
+                }
+            }
+        }
+        return numbers.build().toArray();
+    }
+
+    /** No line of equal numbers across a picture. */
+    @Test
+    void keysOfColumnAndRowDifferByMoreThanPictures() {
+        for (int place = Layout.SAMPLE_STRIDE; place < Noise.roulette(Layout.MOST_BOUNCES); place++) {
+            assertThat(Noise.columnKey(place) ^ Noise.rowKey(place))
+                    .as("place %d", place)
+                    .isGreaterThanOrEqualTo(Rendering.MAX_SIDE);
+        }
     }
 
     /** With the numbers of {@code world.PixelSamples}. */

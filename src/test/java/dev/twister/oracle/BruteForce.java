@@ -21,7 +21,8 @@ final class BruteForce {
     /**
      * @param bodies with the lights' radiance as emission
      * @param lights those among the bodies that end paths
-     * @param bounceLimit number of surfaces that a path leaves; light that it meets then counts if it was scattered
+     * @param bounceLimit number of surfaces between the first one and the one at which a path ends, but for the light
+     *     that it meets from there
      */
     BruteForce(List<Body> bodies, Set<Body> lights, OracleSky sky, int bounceLimit, Random random) {
         this.bodies = bodies;
@@ -31,8 +32,8 @@ final class BruteForce {
         this.random = random;
     }
 
-    /** What a surface does with a ray: where it goes, what part of the light comes from there, whether by chance. */
-    private record Scattered(Vector direction, Color part, boolean inside, boolean spread) {}
+    /** What a surface does with a ray: where it goes, and what part of the light comes from there. */
+    private record Scattered(Vector direction, Color part, boolean inside) {}
 
     /** Returns the radiance along a view ray, by one path. */
     @SuppressWarnings("ReferenceEquality") // compares identity of bodies
@@ -42,23 +43,20 @@ final class BruteForce {
         Color found = Color.BLACK;
         Body leaving = null;
         boolean inside = false;
-        boolean spread = true;
+        OracleMedia media = OracleMedia.around(view.origin(), bodies);
         for (int bounce = 0; throughput.strongest() > 0; bounce++) {
             Body body = closest(ray, leaving, inside);
-            boolean counts = bounce <= bounceLimit || spread;
             if (body == null) {
-                return counts ? found.plus(throughput.times(sky.color(ray.direction()))) : found;
+                return found.plus(throughput.times(sky.color(ray.direction())));
             }
             double distance = body == leaving ? body.distanceInside(ray) : body.distance(ray);
             Vector point = ray.at(distance);
             Vector normal = body.normal(ray, point);
             boolean fromInside = body.isMetFromInside(ray, normal);
             OracleMaterial material = body.material(point);
-            Body medium = fromInside ? body : inside ? leaving : null;
-            if (medium != null) {
-                throughput = throughput.times(medium.material().passed(distance));
-            }
-            if (counts && body.emits(ray, fromInside)) {
+            media = media.at(body, fromInside);
+            throughput = throughput.times(media.passed(distance));
+            if (body.emits(ray, fromInside)) {
                 found = found.plus(throughput.times(material.emission()));
             }
             if (lights.contains(body) || bounce > bounceLimit) {
@@ -73,7 +71,7 @@ final class BruteForce {
             ray = new Ray(point, next.direction());
             leaving = body;
             inside = next.inside();
-            spread = next.spread();
+            media = inside == fromInside ? media : media.cross(body, inside);
         }
         return found;
     }
@@ -101,7 +99,7 @@ final class BruteForce {
         Vector reflected = direction.plus(facet.times(2 * cosine)).normalized();
         if (choice < mirrored.strongest()) {
             double weight = rough ? facets.weight(toViewer.dot(normal), reflected.dot(normal)) : 1;
-            return new Scattered(reflected, mirrored.times(weight * sum / mirrored.strongest()), fromInside, rough);
+            return new Scattered(reflected, mirrored.times(weight * sum / mirrored.strongest()), fromInside);
         }
         if (choice < mirrored.strongest() + passed.strongest()) {
             boolean isSheet = body instanceof PlaneBody;
@@ -110,14 +108,14 @@ final class BruteForce {
                     : Fresnel.refracted(direction, facet, ratio).normalized();
             double weight = rough ? facets.weight(toViewer.dot(normal), -out.dot(normal)) : 1;
             boolean inside = isSheet ? fromInside : !fromInside;
-            return new Scattered(out, passed.times(weight * sum / passed.strongest()), inside, rough);
+            return new Scattered(out, passed.times(weight * sum / passed.strongest()), inside);
         }
         Vector out = cosineDistributed(normal);
         double coated = byFresnel
                 ? (1 - Fresnel.reflectance(toViewer.dot(normal), ratio))
                         * (1 - Fresnel.reflectance(out.dot(normal), ratio))
                 : 1;
-        return new Scattered(out, matte.times(coated * sum / matte.strongest()), fromInside, true);
+        return new Scattered(out, matte.times(coated * sum / matte.strongest()), fromInside);
     }
 
     private static Color schlick(Color albedo, double cosine) {

@@ -34,6 +34,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Path-traced pictures are, in the mean, what {@link BruteForce} finds without choosing emitters. */
@@ -74,6 +75,15 @@ class BruteForceTest {
     @MethodSource("materials")
     void meanIsThatOfBruteForce(String name, Material material) {
         requireMeans(name, scene(material));
+    }
+
+    /** Smooth last surfaces show the lights and the sky that they reflect and transmit. */
+    @ParameterizedTest
+    @CsvSource({"0, 1, 0", "1, 1, 0", "2, 1, 0", "1, 0.5, 20", "1, 0, 64", "0, 0, 128"})
+    void pathsOfFewBouncesEndAtLight(int bounces, double transmission, double reflectivity) {
+        LitScene lit = scene(GLASS.withTransmission(transmission).withReflectivity(reflectivity));
+        Rendering rendering = lit.scene().rendering().withBounces(bounces);
+        requireMeans("glass", new LitScene(lit.scene().withRendering(rendering), lit.images(), lit.meshes()));
     }
 
     @Test

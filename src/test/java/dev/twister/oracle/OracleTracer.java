@@ -31,6 +31,7 @@ final class OracleTracer {
     private final List<Lamp> lamps = new ArrayList<>();
     private final OracleShadow shadow;
     private final OracleSky sky;
+    private final OracleMedia cameraMedia;
     private final double ambient;
     private final int bounceLimit;
     private final Rounding rounding;
@@ -70,6 +71,7 @@ final class OracleTracer {
                 scene.rendering().shadowSamples());
         sky = new OracleSky(
                 images.sky(), scene.sky().rotationDegrees(), scene.sky().strength());
+        cameraMedia = OracleMedia.around(vector(scene.camera().position()), bodies);
         ambient = scene.shading().ambient();
         bounceLimit = scene.rendering().bounces();
     }
@@ -123,7 +125,7 @@ final class OracleTracer {
 
     /** Traces a view ray. */
     Color color(ViewRay viewRay) {
-        return color(viewRay.ray(), null, false, 0, ALL, viewRay.numbers());
+        return color(viewRay.ray(), null, false, cameraMedia, 0, ALL, viewRay.numbers());
     }
 
     /** Returns the value of a view, or of a stage at the first hit. Not thread-safe, as it counts bounces. */
@@ -164,19 +166,36 @@ final class OracleTracer {
     /**
      * Traces a ray that leaves a body, inside it or not; a view ray leaves none (null).
      *
+     * @param media what it is in
      * @param throughput the ray's weight in the pixel
      */
     @SuppressWarnings("ReferenceEquality") // compares identity of bodies
-    private Color color(Ray ray, Body leaving, boolean inside, int bounce, Color throughput, SampleNumbers numbers) {
+    private Color color(
+            Ray ray,
+            Body leaving,
+            boolean inside,
+            OracleMedia media,
+            int bounce,
+            Color throughput,
+            SampleNumbers numbers) {
         Body body = closest(ray, leaving, inside);
         if (body == null) {
             return sky.color(ray.direction());
         }
-        if (isLight(body)) {
-            return body.material().color();
-        }
         double distance = body == leaving ? body.distanceInside(ray) : body.distance(ray);
+        if (isLight(body)) {
+            return body.material().color().times(media.passed(distance));
+        }
         Place place = place(ray, body, ray.at(distance));
+        OracleMedia here = media.at(body, place.fromInside());
+        Color passed = here.passed(distance);
+        return color(place, here, bounce, throughput.times(passed), numbers).times(passed);
+    }
+
+    /** Returns what leaves a surface toward the viewer. */
+    private Color color(Place place, OracleMedia media, int bounce, Color throughput, SampleNumbers numbers) {
+        Ray ray = place.ray();
+        Body body = place.body();
         OracleMaterial material = place.material();
         Color albedo = body.albedo(place.point());
         double mirror = bounce < bounceLimit ? material.reflectivity() / PERFECT_MIRROR : 0;
@@ -198,7 +217,8 @@ final class OracleTracer {
         double reflectance = passing > 0 ? Fresnel.reflectance(cosine, ratio) : 0;
         Vector reflected = ray.direction().plus(facet.times(2 * cosine)).normalized();
         Color reflectedPart = tint.times((mirror * lit + passing * reflectance) * weight(place, reflected, 1));
-        color = color.plus(branch(place, reflected, place.fromInside(), reflectedPart, bounce, throughput, numbers));
+        color = color.plus(
+                branch(place, reflected, place.fromInside(), media, reflectedPart, bounce, throughput, numbers));
         if (passing * (1 - reflectance) > 0) {
             boolean isSheet = body instanceof PlaneBody;
             Vector passed = isSheet
@@ -207,7 +227,8 @@ final class OracleTracer {
             Color passedPart =
                     body.passing(place.point()).times(passing * (1 - reflectance) * weight(place, passed, -1));
             boolean isInside = !isSheet && !place.fromInside();
-            color = color.plus(branch(place, passed, isInside, passedPart, bounce, throughput, numbers));
+            OracleMedia behind = isSheet ? media : media.cross(body, isInside);
+            color = color.plus(branch(place, passed, isInside, behind, passedPart, bounce, throughput, numbers));
         }
         return color;
     }
@@ -242,6 +263,7 @@ final class OracleTracer {
             Place place,
             Vector direction,
             boolean inside,
+            OracleMedia media,
             Color part,
             int bounce,
             Color throughput,
@@ -252,7 +274,7 @@ final class OracleTracer {
             return Color.BLACK;
         }
         followed.increment();
-        return color(new Ray(place.point(), direction), place.body(), inside, bounce + 1, rest, numbers)
+        return color(new Ray(place.point(), direction), place.body(), inside, media, bounce + 1, rest, numbers)
                 .times(part);
     }
 

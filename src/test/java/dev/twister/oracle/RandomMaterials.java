@@ -1,5 +1,6 @@
 package dev.twister.oracle;
 
+import dev.twister.scene.Attenuation;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rendering;
@@ -17,6 +18,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -89,6 +91,9 @@ public final class RandomMaterials {
         return switch (random.nextInt(4)) {
             case 0 -> plain.withMetallic(RandomScenes.extremeOr(random, 0, 1, random.nextDouble()));
             case 1 -> plain.withEmission(Emission.NONE.withColor(new Rgb(random.nextFloat(), random.nextFloat(), 0.5)));
+            case 2 ->
+                plain.withAttenuation(new Attenuation(
+                        new Rgb(random.nextFloat(), 0.8, 1), Optional.of(RandomScenes.between(random, 0.2, 4))));
             default -> plain;
         };
     }

@@ -6,6 +6,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.kernel.Texture;
 import dev.twister.kernel.Tone;
 import dev.twister.kernel.Variant;
+import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
 import java.util.function.IntPredicate;
@@ -40,8 +41,8 @@ public final class Declined {
      * Declines nothing until {@code take} is called.
      *
      * @param bodies the bodies to decline in addition to those that emit or have normal, roughness, emission or other
-     *     maps, to transmitting bodies in a crowd and to meshes that have vertex colors or a texture that is not
-     *     filtered or does not repeat
+     *     maps, to transmitting bodies in a crowd or where any takes light, and to meshes that have vertex colors or a
+     *     texture that is not filtered or does not repeat
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
@@ -58,7 +59,7 @@ public final class Declined {
             end = input.bodyEnd();
             crowded = walk;
             maps = input.bodies().textures();
-            takeBodies(input.bodies().firstMesh(), input.bodies().end());
+            takeBodies(input.bodies());
         }
         int toneMap = (int) input.view().frame()[Layout.TONE_MAP];
         frame = input.aspect() != Aspect.FULL
@@ -66,6 +67,7 @@ public final class Declined {
                 || toneMap < Tone.CLAMP
                 || toneMap > Tone.ACES
                 || occluders.count > MOST_OCCLUDERS
+                || input.view().frame()[Layout.CAMERA_MEDIUM] > Layout.NOTHING
                 || isCameraInside(input)
                 || isCameraOnASurface(input);
     }
@@ -96,7 +98,9 @@ public final class Declined {
         return throughLens || Math.abs(squared - radius * radius) <= ROUNDING * radius * radius;
     }
 
-    private void takeBodies(int firstMesh, int room) {
+    private void takeBodies(Bodies all) {
+        int firstMesh = all.firstMesh();
+        int room = all.end();
         if (declined.length < room) {
             declined = new boolean[room];
         }
@@ -104,9 +108,11 @@ public final class Declined {
         occluders.reserve(end);
         occluders.clear();
         any = false;
+        // Lanes do not know which body a ray is in.
+        boolean glass = crowded || all.absorb();
         for (int body = 0; body < count; body++) {
             boolean transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
-            declined[body] = bodies.test(body) || (transmits && crowded) || emits(body) || hasMaps(body);
+            declined[body] = bodies.test(body) || (transmits && glass) || emits(body) || hasMaps(body);
             any |= declined[body];
             if (declined[body] && body >= Layout.FIRST_SPHERE) {
                 occluders.add(body);
@@ -115,7 +121,7 @@ public final class Declined {
         for (int body = Math.max(count, firstMesh); body < end; body++) {
             declined[body] = bodies.test(body)
                     || emits(body)
-                    || (looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0 && crowded)
+                    || (looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0 && glass)
                     || hasMaps(body)
                     || isColoredOtherwise(body);
             any |= declined[body];

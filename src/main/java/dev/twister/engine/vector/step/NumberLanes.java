@@ -22,8 +22,8 @@ final class NumberLanes {
     static void find(Tile tile, Drawing drawing, PacketList packets, int place, int column) {
         int left = tile.left;
         int top = drawing.input.firstRow() + tile.top;
-        mix(tile, packets, Tile.PLACE_X, left, 2 * place, Tile.UPPER_LEFT);
-        mix(tile, packets, Tile.PLACE_Y, top, 2 * place + 1, Tile.UPPER_RIGHT);
+        mix(tile, packets, Tile.PLACE_X, left, Noise.columnKey(place), Tile.UPPER_LEFT);
+        mix(tile, packets, Tile.PLACE_Y, top, Noise.rowKey(place), Tile.UPPER_RIGHT);
         join(tile, packets, Tile.UPPER_LEFT, Tile.UPPER_RIGHT);
         if (place < Layout.SAMPLE_STRIDE) {
             shift(tile, packets, drawing.input.view().sample(tile.sample, place), column);
@@ -31,8 +31,8 @@ final class NumberLanes {
             int sample = (int) drawing.input.view().frame()[Layout.FIRST_SAMPLE] + tile.sample;
             mixAgain(tile, packets, sample & Noise.BITS);
             mixAgain(tile, packets, Noise.mixed((sample >> 16) ^ Noise.mixed(place)));
-            mix(tile, packets, Tile.PLACE_Y, top, 2 * (place + 1), Tile.UPPER_RIGHT);
-            mix(tile, packets, Tile.PLACE_X, left, 2 * (place + 1) + 1, Tile.LOWER_LEFT);
+            mix(tile, packets, Tile.PLACE_Y, top, Noise.columnKey(place + 1), Tile.UPPER_RIGHT);
+            mix(tile, packets, Tile.PLACE_X, left, Noise.rowKey(place + 1), Tile.LOWER_LEFT);
             join(tile, packets, Tile.UPPER_RIGHT, Tile.LOWER_LEFT);
             join(tile, packets, Tile.UPPER_RIGHT, Tile.UPPER_LEFT);
             write(tile, packets, column);
@@ -40,10 +40,9 @@ final class NumberLanes {
     }
 
     /** Writes hashes of the pixels' columns or rows to a column of {@link Tile#corners}. */
-    static void mix(Tile tile, PacketList packets, int from, int offset, int place, int to) {
+    static void mix(Tile tile, PacketList packets, int from, int offset, int key, int to) {
         float[] t = tile.values;
         int[] hashes = tile.corners;
-        int key = Noise.mixed(place);
         for (int k = 0; k < packets.count; k++) {
             int at = packets.places[k];
             IntVector pixel = Lanes.truncated(Lanes.load(t, at + from)).add(offset);
