@@ -80,9 +80,9 @@ public final class JvmEngines implements EngineProvider {
     }
 
     /**
-     * An order of a picture's rows that spreads every part of it over the whole picture. A parallel stream splits its range
-     * into few parts, one per thread. With consecutive rows, a part of sky would finish long before one of spheres and
-     * leave its thread idle.
+     * An order of a picture's rows that spreads every part of it over the whole picture. A parallel stream splits its
+     * range into few parts, one per thread. With consecutive rows, a part of sky would finish long before one of
+     * spheres and leave its thread idle.
      *
      * @param height the picture's height, at least 1
      * @param step distance between successive rows, modulo the height; coprime to it

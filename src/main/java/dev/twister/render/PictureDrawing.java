@@ -132,8 +132,8 @@ final class PictureDrawing implements AutoCloseable {
 
         /** The frame without its noise, with the same times. */
         Frame denoised(Denoiser denoiser) {
-            float[] radiance = denoiser.denoise(
-                    new NoisyPicture(frame.width(), frame.height(), new Plane(frame.radiance(), 0), Optional.of(guides())));
+            float[] radiance = denoiser.denoise(new NoisyPicture(
+                    frame.width(), frame.height(), new Plane(frame.radiance(), 0), Optional.of(guides())));
             Frame denoised = Frame.ofRadiance(frame.width(), frame.height());
             System.arraycopy(radiance, 0, denoised.radiance(), 0, radiance.length);
             denoised.setTimes(frame.times());
@@ -156,7 +156,9 @@ final class PictureDrawing implements AutoCloseable {
             channels.addAll(PictureLayers.channels(PictureLayers.GUIDE_NORMAL, frame.layers(), frame.firstOf(NORMAL)));
             for (int group = 0; group < lightGroups.size(); group++) {
                 channels.addAll(PictureLayers.channels(
-                        PictureLayers.light(lightGroups.get(group)), frame.layers(), frame.firstOf(Guides.LAYERS + group)));
+                        PictureLayers.light(lightGroups.get(group)),
+                        frame.layers(),
+                        frame.firstOf(Guides.LAYERS + group)));
             }
             if (noisy) {
                 channels.addAll(PictureLayers.channels(PictureLayers.NOISY, frame.radiance(), 0));

@@ -40,12 +40,16 @@ public enum StageOrView {
 
     /** The stages in order; only the last one, the full picture, has reflections and refractions. */
     public static List<StageOrView> stages() {
-        return Arrays.stream(values()).filter(shown -> shown.compareTo(BEAUTY) <= 0).toList();
+        return Arrays.stream(values())
+                .filter(shown -> shown.compareTo(BEAUTY) <= 0)
+                .toList();
     }
 
     /** The full picture and the views. */
     public static List<StageOrView> views() {
-        return Arrays.stream(values()).filter(shown -> shown.compareTo(BEAUTY) >= 0).toList();
+        return Arrays.stream(values())
+                .filter(shown -> shown.compareTo(BEAUTY) >= 0)
+                .toList();
     }
 
     /** Whether values are colors, to which exposure and tone map apply; otherwise they are numbers or directions. */

@@ -339,8 +339,8 @@ public final class World {
         private Origin() {}
 
         /**
-         * The scene's own origin if the point is near it, else the even integer point nearest to the point. Even, so that
-         * the checker keeps its colors.
+         * The scene's own origin if the point is near it, else the even integer point nearest to the point. Even, so
+         * that the checker keeps its colors.
          */
         static Vector3 near(Vector3 place) {
             return isNear(Vector3.ZERO, place) ? Vector3.ZERO : place.map(Origin::even);

@@ -127,8 +127,7 @@ class WindowFilesTest {
 
     private Path film(Scene scene, FilmMotion motion, FrameRange frames, String name) {
         FilmPlan plan = new FilmPlan(motion, RATE, frames);
-        return render(
-                WindowOrder.film(scene, StageOrView.BEAUTY, Engines.offer(ENGINE), plan, folder.resolve(name)));
+        return render(WindowOrder.film(scene, StageOrView.BEAUTY, Engines.offer(ENGINE), plan, folder.resolve(name)));
     }
 
     private Path render(Scene scene, StageOrView picture, Optional<FrameInput> seen, String name) {

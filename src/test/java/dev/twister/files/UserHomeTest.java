@@ -10,14 +10,16 @@ class UserHomeTest {
     @ParameterizedTest
     @ValueSource(strings = {"Linux", "Mac OS X", "FreeBSD"})
     void onUnixTheVariableWins(String system) {
-        assertThat(UserFolder.UserHome.find(system, Map.of("HOME", "/mine"), "/home/ada")).isEqualTo("/mine");
+        assertThat(UserFolder.UserHome.find(system, Map.of("HOME", "/mine"), "/home/ada"))
+                .isEqualTo("/mine");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"Linux", "Mac OS X"})
     void withoutTheVariableJavaSays(String system) {
         assertThat(UserFolder.UserHome.find(system, Map.of(), "/home/ada")).isEqualTo("/home/ada");
-        assertThat(UserFolder.UserHome.find(system, Map.of("HOME", ""), "/home/ada")).isEqualTo("/home/ada");
+        assertThat(UserFolder.UserHome.find(system, Map.of("HOME", ""), "/home/ada"))
+                .isEqualTo("/home/ada");
     }
 
     @ParameterizedTest

@@ -142,8 +142,7 @@ class MeshPicturesTest {
         int odd = 0;
         for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
             Color expected = switch (picture) {
-                case HARD_SHADOWS, SOFT_SHADOWS, BEAUTY ->
-                    Color.of(oracle.radiance(pixel % WIDTH, pixel / WIDTH));
+                case HARD_SHADOWS, SOFT_SHADOWS, BEAUTY -> Color.of(oracle.radiance(pixel % WIDTH, pixel / WIDTH));
                 default -> oracle.value(pixel % WIDTH, pixel / WIDTH, picture);
             };
             odd += Math.abs(actual[3 * pixel] - expected.red()) > 0.004 * Math.max(1, Math.abs(expected.red())) ? 1 : 0;

@@ -160,8 +160,8 @@ public final class Benchmark {
     }
 
     /**
-     * Warms up an engine before its first measured frame. Full-size frames alone are too few for the JIT compiler on a slow
-     * machine.
+     * Warms up an engine before its first measured frame. Full-size frames alone are too few for the JIT compiler on a
+     * slow machine.
      *
      * @param maxSeconds limit per input; at least one frame is rendered
      */
@@ -169,15 +169,15 @@ public final class Benchmark {
         private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
 
         /**
-         * Renders small frames of each input until their times settle. Skipped for devices, which compile no faster code
-         * later; they try work-groups in their first 6 frames, of the size that is measured.
+         * Renders small frames of each input until their times settle. Skipped for devices, which compile no faster
+         * code later; they try work-groups in their first 6 frames, of the size that is measured.
          */
         void run(AskedEngine asked, PictureSize size, List<FrameInput> inputs) {
             if (!asked.isDevice()) {
                 progress.begins(asked.id() + ", warming up,", size, 1);
                 Duration each = Duration.ofNanos((long) (maxSeconds * NANOS_PER_SECOND));
-                inputs.forEach(
-                        input -> new SettlingFrames(asked.engine(), SettlingFrames.small(input)).settle(each, () -> false));
+                inputs.forEach(input ->
+                        new SettlingFrames(asked.engine(), SettlingFrames.small(input)).settle(each, () -> false));
                 progress.drewFrame();
             }
         }

@@ -90,7 +90,9 @@ public final class VectorEngines implements EngineProvider {
 
         private void draw() {
             try (Engine engine = VectorEngines.open(1, VectorEngine.CROWD)) {
-                new SettlingFrames(engine, SampleWorld.crowd(spheres, WIDTH, HEIGHT).snapshot())
+                new SettlingFrames(
+                                engine,
+                                SampleWorld.crowd(spheres, WIDTH, HEIGHT).snapshot())
                         .settle(LONGEST, () -> over);
             } catch (EngineException | OutOfMemoryError _) {
                 // The next regular frame fails in the same way and reports it.

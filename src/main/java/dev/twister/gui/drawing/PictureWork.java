@@ -421,9 +421,7 @@ final class PictureWork implements AutoCloseable {
     }
 
     private Optional<DenoiserOffer> denoiser(DrawingRequest wanted) {
-        return wanted.refinement()
-                .denoiser()
-                .filter(_ -> input.tracesPaths() && wanted.shown() == StageOrView.BEAUTY);
+        return wanted.refinement().denoiser().filter(_ -> input.tracesPaths() && wanted.shown() == StageOrView.BEAUTY);
     }
 
     /** The picture without its noise, if that is wanted. */

@@ -3,7 +3,6 @@ package dev.twister.gui.rendering;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.render.RenderOrder;
 import dev.twister.render.TimeLeft;
-import dev.twister.world.StageOrView;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.Optional;

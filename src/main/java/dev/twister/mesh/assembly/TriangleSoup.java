@@ -266,8 +266,8 @@ public final class TriangleSoup {
         private SoupCenter() {}
 
         /**
-         * The center of a box, rounded to a multiple of a power of two, so that floats of the file stay exact; zero for a
-         * box near the origin.
+         * The center of a box, rounded to a multiple of a power of two, so that floats of the file stay exact; zero for
+         * a box near the origin.
          */
         static Vector3 of(Box bounds) {
             double half = largest(bounds.half());

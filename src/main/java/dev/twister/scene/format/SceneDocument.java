@@ -132,7 +132,8 @@ final class SceneDocument {
                 throw own.isPresent()
                         ? own.get().failure("is given, but the plane cannot emit light; add a quad that does")
                         : plane.get("material")
-                                .failure("is a material that emits, but the plane cannot emit light; add a quad that does");
+                                .failure(
+                                        "is a material that emits, but the plane cannot emit light; add a quad that does");
             }
         }
     }
@@ -150,7 +151,8 @@ final class SceneDocument {
          */
         static void check(Pour pour, Fields fields, int placed) {
             if (pour.minRadius() > pour.maxRadius()) {
-                throw fields.get("radius").refused("an array of 2 numbers [least, most], the first not above the second");
+                throw fields.get("radius")
+                        .refused("an array of 2 numbers [least, most], the first not above the second");
             }
             if (pour.count() > SceneLimits.MAX_SPHERES - placed) {
                 throw fields.get("count")

@@ -80,7 +80,8 @@ public final class SceneReader {
      * @param named files that need not be there
      * @param missing told why the skybox will not do
      */
-    private record FilesBesideSky(NamedFiles found, NamedFiles named, Consumer<SceneException> missing) implements NamedFiles {
+    private record FilesBesideSky(NamedFiles found, NamedFiles named, Consumer<SceneException> missing)
+            implements NamedFiles {
         @Override
         public Path find(Place place, Path name) {
             if (!place.path().equals(FilesUnderSky.PLACE)) {

@@ -135,7 +135,9 @@ public record Pour(
             double angle = place * SphereVortex.GOLDEN_ANGLE;
             Vector3 spout = pour.position();
             Vector3 position = new Vector3(
-                    spout.x() + outward * StrictMath.cos(angle), spout.y(), spout.z() + outward * StrictMath.sin(angle));
+                    spout.x() + outward * StrictMath.cos(angle),
+                    spout.y(),
+                    spout.z() + outward * StrictMath.sin(angle));
             double radius = pour.minRadius() + (pour.maxRadius() - pour.minRadius()) * random.nextDouble();
             Rgb color = pour.palette().at(progress * 0.8 + 0.2 * random.nextDouble());
             return Sphere.DEFAULT

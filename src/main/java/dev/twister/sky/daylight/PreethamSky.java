@@ -73,8 +73,9 @@ public final class PreethamSky {
     }
 
     /**
-     * How luminance or a chromaticity spreads over a clear sky: {@code F = (1 + a e^(b / cos theta)) (1 + c e^(d gamma) + e
-     * cos^2 gamma)}, theta the angle from the zenith, gamma the angle from the sun (Perez, Seals and Michalsky 1993).
+     * How luminance or a chromaticity spreads over a clear sky: {@code F = (1 + a e^(b / cos theta)) (1 + c e^(d gamma)
+     * + e cos^2 gamma)}, theta the angle from the zenith, gamma the angle from the sun (Perez, Seals and Michalsky
+     * 1993).
      */
     private record Perez(double a, double b, double c, double d, double e) {
         /** Keeps b / cos theta finite on the horizon, where the exponential is 0 either way. */

@@ -491,15 +491,7 @@ class DrawingLoopTest {
         List<Integer> samples = new CopyOnWriteArrayList<>();
         loop.watch(picture -> samples.add(picture.samples()));
         loop.request(new DrawingRequest(
-                2,
-                1,
-                scene,
-                LARGE_WIDTH,
-                LARGE_HEIGHT,
-                chosen,
-                Refinement.to(16),
-                Motion.NONE,
-                StageOrView.BEAUTY));
+                2, 1, scene, LARGE_WIDTH, LARGE_HEIGHT, chosen, Refinement.to(16), Motion.NONE, StageOrView.BEAUTY));
 
         await(() -> !samples.isEmpty());
         // What is clicked in the one before is of no scene any more, and more samples take as much longer.

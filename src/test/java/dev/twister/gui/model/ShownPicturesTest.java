@@ -8,9 +8,7 @@ import org.junit.jupiter.api.Test;
 class ShownPicturesTest {
     @Test
     void theFullPictureIsOfferedOnce() {
-        assertThat(ShownPictures.all())
-                .doesNotHaveDuplicates()
-                .contains(StageOrView.BEAUTY, StageOrView.TESTS);
+        assertThat(ShownPictures.all()).doesNotHaveDuplicates().contains(StageOrView.BEAUTY, StageOrView.TESTS);
         assertThat(ShownPictures.all().stream().map(ShownPictures::label))
                 .contains("Hard shadows", "Reflections (full picture)", "Normal");
     }

@@ -125,7 +125,8 @@ public final class MeshHits {
                 path[Layout.TRIANGLE] = t[pixel + Tile.TRIANGLE];
                 int hit = (int) t[pixel + Tile.HIT];
                 float end = r[PacketWalk.END + lane];
-                if (Coincidence.replaces(path, hit, end, met, number, triangle, frame, hierarchy, bodies.meshes()) != 0) {
+                if (Coincidence.replaces(path, hit, end, met, number, triangle, frame, hierarchy, bodies.meshes())
+                        != 0) {
                     r[PacketWalk.END + lane] = met;
                     t[pixel + Tile.DISTANCE] = met;
                     t[pixel + Tile.HIT] = hierarchy[instance + Layout.INSTANCE_BODY];

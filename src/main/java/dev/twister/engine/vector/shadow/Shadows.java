@@ -172,7 +172,8 @@ public final class Shadows {
             for (int sample = 0; sample < samples; sample++) {
                 long hit = 0;
                 for (int c = 0; c < scratch.candidates.count; c++) {
-                    hit |= blocks(scratch, c * ShadowColumns.STRIDE, disc[2 * sample], disc[2 * sample + 1], distances, at);
+                    hit |= blocks(
+                            scratch, c * ShadowColumns.STRIDE, disc[2 * sample], disc[2 * sample + 1], distances, at);
                 }
                 blocked = blocked.blend(blocked.add(1f), VectorMask.fromLong(Lanes.FLOATS, hit));
             }
@@ -180,7 +181,8 @@ public final class Shadows {
         }
 
         /** One bit per lane whose sample the candidate blocks. */
-        private static long blocks(ShadowColumns scratch, int from, float discX, float discY, float[] distances, int at) {
+        private static long blocks(
+                ShadowColumns scratch, int from, float discX, float discY, float[] distances, int at) {
             float[] candidates = scratch.facts;
             FloatVector scale = Lanes.load(scratch.frame, ShadowColumns.SCALE);
             FloatVector distance = Lanes.load(distances, at);

@@ -1,0 +1,188 @@
+package dev.twister.cli.option;
+
+import dev.twister.cli.file.BadInputException;
+import dev.twister.motion.MotionFile;
+import dev.twister.render.BodyMotion;
+import dev.twister.render.ExistingFrames;
+import dev.twister.render.FrameRange;
+import dev.twister.render.Movement;
+import dev.twister.scene.Scene;
+import dev.twister.scene.property.SceneLimits;
+import dev.twister.world.Animation;
+import dev.twister.world.animation.CameraPath;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.DoubleFunction;
+import picocli.CommandLine.Option;
+
+/** Options for the frames of a film, and for what moves in them besides physics. */
+public final class FilmOptions {
+    private static final double MAX_SECONDS = 86_400;
+
+    @Option(
+            names = "--frames",
+            paramLabel = "RANGE",
+            converter = FrameRangeConverter.class,
+            description = "Render frames of a film: N for frames 0 to N-1, A-B for frames A to B, to FILE-0000.png,"
+                    + " FILE-0001.png, ...; %%04d or #### in FILE is the place of the number. Default: all of --motion"
+                    + " or --turntable.")
+    private Optional<FrameRange> frames = Optional.empty();
+
+    @Option(
+            names = "--motion",
+            paramLabel = "FILE",
+            description = "Take the bodies' positions from a motion file (see 'twister simulate').")
+    private Optional<Path> motion = Optional.empty();
+
+    @Option(
+            names = "--turntable",
+            paramLabel = "SECONDS",
+            description = "Turn the camera once around the spheres in this time.")
+    private Optional<Double> turntable = Optional.empty();
+
+    @Option(
+            names = "--time",
+            paramLabel = "SECONDS",
+            description =
+                    "Render one picture at this time of the film of the scene's keyframes. Default: the scene's own"
+                            + " values.")
+    private Optional<Double> time = Optional.empty();
+
+    @Option(
+            names = "--skip-existing",
+            description = "With frames: keep files that are whole and of the same scene, settings and version; render"
+                    + " the others again.")
+    private boolean skipExisting;
+
+    @Option(names = "--overwrite", description = "With frames: replace the frames of an earlier run.")
+    private boolean overwrite;
+
+    public boolean skipsExisting() {
+        return skipExisting;
+    }
+
+    public ExistingFrames existing() {
+        return skipExisting ? ExistingFrames.KEPT : overwrite ? ExistingFrames.REPLACED : ExistingFrames.REFUSED;
+    }
+
+    /** Rejects options that exclude each other. */
+    public void check(MotionOptions physics) {
+        if (motion.isPresent() && (physics.isOn() || physics.isTimeGiven())) {
+            throw new BadInputException(
+                    "--motion excludes --physics, --fps and --start: the motion file has all of them");
+        }
+        turntable.ifPresent(seconds -> Ranges.check("--turntable", seconds, 1e-3, MAX_SECONDS));
+        time.ifPresent(seconds -> Ranges.check("--time", seconds, SceneLimits.KEYFRAME_TIME));
+        boolean moved = physics.isOn() || physics.isTimeGiven() || motion.isPresent() || turntable.isPresent();
+        if (time.isPresent() && (moved || frames.isPresent())) {
+            throw new BadInputException("--time excludes --frames, --fps, --start, --physics, --motion and --turntable:"
+                    + " it renders one picture of the scene's keyframes");
+        }
+        if (skipExisting && overwrite) {
+            throw new BadInputException("--skip-existing and --overwrite exclude each other; give one of them");
+        }
+    }
+
+    /** Opens the motion file; empty without {@code --motion}. */
+    public Optional<MotionFile> open(Scene scene) throws IOException {
+        return motion.isPresent() ? Optional.of(MotionFile.open(motion.get(), scene)) : Optional.empty();
+    }
+
+    /**
+     * The frames to render; empty for a single picture.
+     *
+     * @param film whether the output is a film
+     */
+    public Optional<FrameRange> frames(Scene scene, MotionOptions physics, Optional<MotionFile> recorded, boolean film)
+            throws IOException {
+        if (time.isPresent()) {
+            checkTime(scene, film);
+            return Optional.empty();
+        }
+        boolean moves = physics.isOn() || recorded.isPresent() || turntable.isPresent() || Animation.isIn(scene);
+        if (!moves) {
+            if (frames.isPresent() || physics.isTimeGiven() || film) {
+                throw new BadInputException((film ? "a film" : frames.isPresent() ? "--frames" : "--fps and --start")
+                        + " requires --physics, --motion, --turntable, or a scene with keyframes: otherwise nothing"
+                        + " moves");
+            }
+            return Optional.empty();
+        }
+        physics.checkStart();
+        if (frames.isPresent()) {
+            if (recorded.isPresent()) {
+                // Fails before the first frame is rendered, not after the last one in the file.
+                recorded.get().frame(frames.get().first());
+                recorded.get().frame(frames.get().last());
+            }
+            return frames;
+        }
+        if (recorded.isPresent()) {
+            return Optional.of(whole(recorded.get()));
+        }
+        double rate = 1 / physics.secondsPerFrame();
+        if (turntable.isPresent()) {
+            return Optional.of(FrameRange.ofCount((int) Math.max(1, Math.round(turntable.get() * rate))));
+        }
+        if (film && Animation.isIn(scene)) {
+            return Optional.of(FrameRange.ofCount((int) Math.round(Animation.length(scene) * rate) + 1));
+        }
+        if (film || skipExisting) {
+            throw new BadInputException((film ? "a film" : "--skip-existing") + " requires --frames");
+        }
+        return Optional.empty();
+    }
+
+    private FrameRange whole(MotionFile recorded) throws IOException {
+        if (recorded.lastFrame() < recorded.firstFrame()) {
+            throw new BadInputException("--motion is " + motion.orElseThrow() + ", which has no whole frame");
+        }
+        return FrameRange.of(recorded.firstFrame(), recorded.lastFrame());
+    }
+
+    private void checkTime(Scene scene, boolean film) {
+        if (film) {
+            throw new BadInputException(
+                    "--time renders one picture, but --output is a film; give --frames for a part" + " of it");
+        }
+        if (!Animation.isIn(scene)) {
+            throw new BadInputException("--time requires a scene with keyframes: otherwise nothing moves");
+        }
+    }
+
+    /**
+     * What moves.
+     *
+     * @param scene to render, with what options have changed
+     * @param film whether frames are rendered; a single picture does not follow keyframes unless it has a time
+     */
+    public Movement movement(Scene scene, MotionOptions physics, Optional<MotionFile> recorded, boolean film) {
+        double secondsPerFrame = physics.secondsPerFrame();
+        BodyMotion bodies = physics.isOn()
+                ? new BodyMotion.Simulated(physics.startSeconds(), secondsPerFrame)
+                : recorded.<BodyMotion>map(BodyMotion.Recorded::new).orElse(new BodyMotion.Still());
+        DoubleFunction<Scene> still =
+                _ -> time.map(seconds -> Animation.at(scene, seconds)).orElse(scene);
+        return new Movement(
+                bodies,
+                film ? seconds -> at(scene, seconds) : still,
+                recorded.map(MotionFile::rate).orElse(1 / secondsPerFrame));
+    }
+
+    private Scene at(Scene scene, double seconds) {
+        return turntable
+                .map(turn -> Animation.tracked(
+                        scene.withCamera(CameraPath.onCircle(scene.camera(), scene.spheres(), seconds / turn)),
+                        seconds))
+                .orElseGet(() -> Animation.at(scene, seconds));
+    }
+
+    /** Rejects options that apply only to frames. */
+    public void checkSingle() {
+        if (overwrite || skipExisting) {
+            throw new BadInputException((overwrite ? "--overwrite" : "--skip-existing")
+                    + " requires --frames; a single picture always replaces its file");
+        }
+    }
+}
