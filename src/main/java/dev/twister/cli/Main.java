@@ -2,6 +2,12 @@ package dev.twister.cli;
 
 import dev.twister.bench.benchmark.EngineFailure;
 import dev.twister.bench.benchmark.Jit;
+import dev.twister.cli.command.Failures;
+import dev.twister.cli.command.TwisterCommand;
+import dev.twister.cli.file.CommonOptions;
+import dev.twister.cli.file.ExitCode;
+import dev.twister.cli.option.ChoiceConverter;
+import dev.twister.cli.option.PathConverter;
 import dev.twister.mesh.MeshPose;
 import dev.twister.render.Background;
 import dev.twister.scene.Integrator;

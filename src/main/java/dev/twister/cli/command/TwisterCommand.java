@@ -1,0 +1,75 @@
+package dev.twister.cli.command;
+
+import dev.twister.cli.file.CommonOptions;
+import dev.twister.files.TwisterVersion;
+import java.io.IOException;
+import java.util.concurrent.Callable;
+import picocli.AutoComplete;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.IVersionProvider;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ScopeType;
+
+/** {@code twister} itself: opens the window. */
+@Command(
+        name = "twister",
+        description = "A real-time ray tracer written entirely in Java.",
+        mixinStandardHelpOptions = true,
+        versionProvider = TwisterCommand.VersionProvider.class,
+        scope = ScopeType.INHERIT,
+        subcommands = {
+            GuiCommand.class,
+            RenderCommand.class,
+            SimulateCommand.class,
+            ExplainCommand.class,
+            FiguresCommand.class,
+            JoinCommand.class,
+            DenoiseCommand.class,
+            FilmCommand.class,
+            BenchmarkCommand.class,
+            DevicesCommand.class,
+            SkyCommand.class,
+            SceneCommand.class,
+            ViewCommand.class,
+            AutoComplete.GenerateCompletion.class,
+            PackageFilesCommand.class
+        })
+public final class TwisterCommand implements Callable<Integer> {
+    private final CommandRunner runner;
+
+    @Option(
+            names = {"-q", CommonOptions.QUIET},
+            scope = ScopeType.INHERIT,
+            description = "Print results and errors alone: no progress, warnings or notes on what was written.")
+    @SuppressWarnings("unused") // asked of the command line, see CommonOptions
+    private boolean quiet;
+
+    @Option(
+            names = CommonOptions.VERBOSE,
+            scope = ScopeType.INHERIT,
+            description = "Print the version, the time and the memory of the run, and the stack trace of a failure.")
+    @SuppressWarnings("unused")
+    private boolean verbose;
+
+    /** @param runner runs the command lines of which commands consist */
+    public TwisterCommand(CommandRunner runner) {
+        this.runner = runner;
+    }
+
+    CommandRunner runner() {
+        return runner;
+    }
+
+    @Override
+    public Integer call() throws IOException {
+        return new GuiCommand().call();
+    }
+
+    /** What {@code --version} prints. */
+    static final class VersionProvider implements IVersionProvider {
+        @Override
+        public String[] getVersion() {
+            return new String[] {"twister " + TwisterVersion.text(), "JDK " + Runtime.version()};
+        }
+    }
+}

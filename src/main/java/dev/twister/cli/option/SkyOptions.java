@@ -1,0 +1,37 @@
+package dev.twister.cli.option;
+
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sky;
+import dev.twister.scene.TrackTarget;
+import dev.twister.scene.property.SceneLimits;
+import java.nio.file.Path;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** What is behind everything, instead of the scene's own sky; within what a scene file may have. */
+public final class SkyOptions {
+    @Option(
+            names = "--skybox",
+            paramLabel = "FILE",
+            description = "Panorama to use as the sky: .hdr, .exr, .png or .jpg.")
+    private Optional<Path> skybox = Optional.empty();
+
+    @Option(names = "--sky-rotation", paramLabel = "DEGREES", description = "Turn of the panorama to the right.")
+    private Optional<Double> rotation = Optional.empty();
+
+    @Option(
+            names = "--sky-strength",
+            paramLabel = "FACTOR",
+            description = "Factor on the panorama's radiance, 0 or more.")
+    private Optional<Double> strength = Optional.empty();
+
+    public Scene over(Scene scene) {
+        Sky own = scene.sky();
+        Scene turned = rotation.isPresent() ? scene.withoutTrack(TrackTarget.SKY, "rotation") : scene;
+        Scene fixed = strength.isPresent() ? turned.withoutTrack(TrackTarget.SKY, "strength") : turned;
+        return fixed.withSky(new Sky(
+                skybox.orElse(own.file()),
+                Ranges.check("--sky-rotation", rotation.orElse(own.rotationDegrees()), SceneLimits.SKY_ROTATION),
+                Ranges.check("--sky-strength", strength.orElse(own.strength()), SceneLimits.SKY_STRENGTH)));
+    }
+}

@@ -1,0 +1,31 @@
+package dev.twister.cli.progress;
+
+import dev.twister.files.PrintableText;
+import dev.twister.render.DenoisedPicture;
+import java.io.PrintWriter;
+
+/** What a user should know of a picture that was denoised. */
+public final class DenoisingNotes {
+    private DenoisingNotes() {}
+
+    /**
+     * Prints a line for each weakness.
+     *
+     * @param name of the picture
+     */
+    public static void print(DenoisedPicture denoised, String name, PrintWriter err) {
+        if (!denoised.guided()) {
+            err.println("twister: " + PrintableText.line(name)
+                    + " has no guides (guide-albedo and guide-normal), so edges and textures may be blurred;"
+                    + " render with --guides");
+        }
+        if (denoised.notFinite() > 0) {
+            err.println("twister: " + PrintableText.line(name) + " has " + denoised.notFinite()
+                    + " values that are not finite; they count as 0");
+        }
+        if (denoised.kept() > 0) {
+            err.println("twister: " + PrintableText.line(name) + ": " + denoised.kept()
+                    + " values are too large to be denoised; they stay as they are");
+        }
+    }
+}
