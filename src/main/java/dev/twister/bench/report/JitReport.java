@@ -95,7 +95,7 @@ public record JitReport(Map<String, JsonNode> reports) {
 
     /** Identifies a measurement across compilers. */
     private record Key(String engine, String device, String size) {
-        public static Key of(JsonNode result) {
+        static Key of(JsonNode result) {
             return new Key(
                     result.path("engine").asString(),
                     result.path("device").asString(),
