@@ -1,18 +1,18 @@
 package dev.twister.oracle;
 
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.light.LightGroup;
+import dev.twister.scene.material.Emission;
+import dev.twister.scene.material.Attenuation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.engine.JvmEngines;
 import dev.twister.engine.vector.VectorEngines;
-import dev.twister.scene.Attenuation;
 import dev.twister.scene.Camera;
-import dev.twister.scene.Emission;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
-import dev.twister.scene.LightGroup;
-import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;

@@ -1,6 +1,6 @@
 package dev.twister.oracle;
 
-import dev.twister.scene.Attenuation;
+import dev.twister.scene.material.Attenuation;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rendering;

@@ -1,5 +1,6 @@
 package dev.twister.cli.option;
 
+import dev.twister.cli.file.OutputFile;
 import dev.twister.film.FilmFile;
 import dev.twister.cli.file.BadInputException;
 import dev.twister.motion.MotionFile;

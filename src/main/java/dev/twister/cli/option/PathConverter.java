@@ -51,7 +51,7 @@ public record PathConverter(Supplier<byte[]> commandLine) implements ITypeConver
      *
      * @throws InvalidPathException if it is none
      */
-    Path path(String text) {
+    public Path path(String text) {
         return text.contains(REPLACED) ? ofBytes(text) : Path.of(text);
     }
 

@@ -1,5 +1,6 @@
 package dev.twister.cli.command;
 
+import dev.twister.cli.file.ExitCode;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.ChildJvm;

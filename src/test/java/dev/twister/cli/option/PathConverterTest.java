@@ -1,4 +1,4 @@
-package dev.twister.cli;
+package dev.twister.cli.option;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
