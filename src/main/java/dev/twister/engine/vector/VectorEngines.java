@@ -39,7 +39,8 @@ public final class VectorEngines implements EngineProvider {
 
     /** Opens the engine on a number of threads. */
     static Engine open(int threads) {
-        return new VectorEngine(threads, new Ways(VectorEngine.CROWD, SmallRehearsal::of), new Drawing());
+        return new VectorEngine(
+                threads, new Ways(VectorEngine.CROWD, SmallRehearsal::of), new PathRehearsal(false), new Drawing());
     }
 
     /** Opens the engine without rehearsals; it uses the hierarchy from {@code crowd} bodies on. */
@@ -58,6 +59,6 @@ public final class VectorEngines implements EngineProvider {
     }
 
     private static Engine open(int threads, int crowd, Drawing drawing) {
-        return new VectorEngine(threads, new Ways(crowd, _ -> new Unrehearsed()), drawing);
+        return new VectorEngine(threads, new Ways(crowd, _ -> new Unrehearsed()), new PathRehearsal(true), drawing);
     }
 }

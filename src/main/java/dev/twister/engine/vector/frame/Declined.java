@@ -34,6 +34,7 @@ public final class Declined {
     private int end;
     private boolean crowded;
     private boolean any;
+    private boolean hits;
     private boolean frame;
 
     /**
@@ -61,13 +62,14 @@ public final class Declined {
             takeBodies(input.bodies().firstMesh(), input.bodies().end());
         }
         int toneMap = (int) input.view().frame()[Layout.TONE_MAP];
-        frame = input.aspect() != Aspect.FULL
-                || (input.variant(false) & Variant.MASKS) != 0
-                || toneMap < Tone.CLAMP
-                || toneMap > Tone.ACES
+        hits = (input.variant(false) & Variant.MASKS) != 0
                 || occluders.count > MOST_OCCLUDERS
                 || isCameraInside(input)
                 || isCameraOnASurface(input);
+        boolean picture = input.aspect() == Aspect.FULL;
+        frame = input.tracesPaths()
+                ? !picture && input.aspect() < Aspect.GUIDED
+                : !picture || hits || toneMap < Tone.CLAMP || toneMap > Tone.ACES;
     }
 
     private static boolean isCameraOnASurface(FrameInput input) {
@@ -178,6 +180,11 @@ public final class Declined {
     /** Whether the whole frame is declined. */
     public boolean isFrame() {
         return frame;
+    }
+
+    /** Whether packets do not find the frame's closest hits. */
+    public boolean areHits() {
+        return hits;
     }
 
     /** Whether any body is declined. */
