@@ -1,6 +1,8 @@
 package dev.twister.lanes;
 
-/** One method for each construct of the kernel's Java. All have the same parameters; places in arrays are from 0 to 31. */
+/**
+ * One method for each construct of the kernel's Java. All have the same parameters; places in arrays are from 0 to 31.
+ */
 final class Constructs {
     private static final float SCALE = 0x1p-4f;
     private static final int STEP = 2 * 3;

@@ -80,7 +80,8 @@ final class ConstructsTest {
             }
             switch (results[lane]) {
                 case Float result -> MadeMethod.assertSame(columns.floats[columns.floatAt(lane, PATH)], result);
-                case Integer result -> assertThat(columns.ints[columns.intAt(lane, 0)]).isEqualTo(result);
+                case Integer result ->
+                    assertThat(columns.ints[columns.intAt(lane, 0)]).isEqualTo(result);
                 case null, default -> {}
             }
         }

@@ -26,7 +26,8 @@ final class KernelMethodsTest {
         return SOURCES.methods().stream()
                 .filter(method -> method.tree().getReturnType() != null)
                 .filter(method -> method.tree().getParameters().stream().allMatch(KernelMethodsTest::isKnown))
-                .filter(method -> !method.owner().equals("Layout") && !method.owner().equals("Tone"))
+                .filter(method ->
+                        !method.owner().equals("Layout") && !method.owner().equals("Tone"))
                 .map(Sources.Method::name)
                 .filter(name -> !isPlacedByCallers(name))
                 .sorted()
@@ -65,8 +66,10 @@ final class KernelMethodsTest {
     @MethodSource("names")
     void isTheSameInLanes(String name) throws Throwable {
         Sources.Method method = SOURCES.method(name);
-        Method scalar = Arrays.stream(Class.forName("dev.twister.kernel." + method.owner()).getDeclaredMethods())
-                .filter(declared -> declared.getName().equals(method.tree().getName().toString()))
+        Method scalar = Arrays.stream(
+                        Class.forName("dev.twister.kernel." + method.owner()).getDeclaredMethods())
+                .filter(declared ->
+                        declared.getName().equals(method.tree().getName().toString()))
                 .findFirst()
                 .orElseThrow();
         scalar.setAccessible(true);
@@ -112,7 +115,8 @@ final class KernelMethodsTest {
             switch (results[lane]) {
                 case Float result ->
                     MadeMethod.assertSame(columns.floats[columns.floatAt(lane, Layout.LAYERED_PATH_LENGTH)], result);
-                case Integer result -> assertThat(columns.ints[columns.intAt(lane, 0)]).isEqualTo(result);
+                case Integer result ->
+                    assertThat(columns.ints[columns.intAt(lane, 0)]).isEqualTo(result);
                 case null, default -> {}
             }
         }

@@ -36,8 +36,7 @@ final class MadeMethod {
         Class<?> made = lookup.defineClass(compiled(name, root.text));
         run = lookup.findStatic(
                 made, "run", MethodType.methodType(void.class, PathColumns.class, int[].class, int.class));
-        MethodType counts =
-                MethodType.methodType(void.class, int.class, int.class, int.class, int.class, int.class);
+        MethodType counts = MethodType.methodType(void.class, int.class, int.class, int.class, int.class, int.class);
         columns = (PathColumns) lookup.findConstructor(PathColumns.class, counts)
                 .invoke(PathColumns.WIDTH, root.floats, root.ints, root.masks, root.lists);
     }
@@ -45,18 +44,20 @@ final class MadeMethod {
     private static byte[] compiled(String name, String text) throws IOException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        JavaFileObject source = new SimpleJavaFileObject(URI.create("string:///" + name + ".java"), JavaFileObject.Kind.SOURCE) {
-            @Override
-            public CharSequence getCharContent(boolean ignoreEncodingErrors) {
-                return text;
-            }
-        };
-        JavaFileObject result = new SimpleJavaFileObject(URI.create("bytes:///" + name + ".class"), JavaFileObject.Kind.CLASS) {
-            @Override
-            public OutputStream openOutputStream() {
-                return bytes;
-            }
-        };
+        JavaFileObject source =
+                new SimpleJavaFileObject(URI.create("string:///" + name + ".java"), JavaFileObject.Kind.SOURCE) {
+                    @Override
+                    public CharSequence getCharContent(boolean ignoreEncodingErrors) {
+                        return text;
+                    }
+                };
+        JavaFileObject result =
+                new SimpleJavaFileObject(URI.create("bytes:///" + name + ".class"), JavaFileObject.Kind.CLASS) {
+                    @Override
+                    public OutputStream openOutputStream() {
+                        return bytes;
+                    }
+                };
         try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null)) {
             ForwardingJavaFileManager<StandardJavaFileManager> memory = new ForwardingJavaFileManager<>(files) {
                 @Override
@@ -66,8 +67,14 @@ final class MadeMethod {
                 }
             };
             List<String> options = List.of(
-                    "-nowarn", "-proc:none", "--add-modules", "jdk.incubator.vector", "-cp", System.getProperty("java.class.path"));
-            if (!compiler.getTask(null, memory, null, options, null, List.of(source)).call()) {
+                    "-nowarn",
+                    "-proc:none",
+                    "--add-modules",
+                    "jdk.incubator.vector",
+                    "-cp",
+                    System.getProperty("java.class.path"));
+            if (!compiler.getTask(null, memory, null, options, null, List.of(source))
+                    .call()) {
                 throw new IOException("the lanes of " + name + " do not compile");
             }
         }

@@ -16,9 +16,7 @@ final class RefusalTest {
     private Path folder;
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            textBlock = """
+    @CsvSource(delimiter = '|', textBlock = """
                     if (a > 0) { return 1; }        | a return before the method's end
                     while (a > 0) { break; }        | break: lanes do not know such a statement
                     do { a = a - 1; } while (a > 0); | do_while_loop: lanes do not know such a statement
@@ -38,9 +36,7 @@ final class RefusalTest {
                     """)
     void isSaidWithItsLine(String statement, String refusal) throws IOException {
         Path file = folder.resolve("Refused.java");
-        Files.writeString(
-                file,
-                """
+        Files.writeString(file, """
                 class Refused {
                     static int method(float[] path, float[] frame, int a, int b, float x) {
                         %s

@@ -15,9 +15,6 @@ final class PathRehearsal {
     /** Drawing by the kernel before it, which lets a short render have all of the processor. */
     private static final long FIRST_NANOS = 500_000_000L;
 
-    /** The kernel draws this many times as long. */
-    private static final int SHARE = 2;
-
     /** A tile's samples that are followed. */
     private static final int MOST_SAMPLES = 4;
 
@@ -51,11 +48,15 @@ final class PathRehearsal {
         return isOver;
     }
 
-    /** Goes on for a while, on the thread that has one of these paths, after the kernel has drawn a tile. */
+    /**
+     * Goes on, on the thread that rehearses, about as long as the kernel has drawn a tile.
+     *
+     * @param nanos how long the kernel has drawn the tile
+     */
     @SuppressWarnings("ReferenceEquality") // inputs are immutable
     void goOn(PathTile paths, Drawing drawing, Tile tile, long nanos) {
         kernelNanos += nanos;
-        creditNanos = Math.min(creditNanos + nanos / SHARE, FIRST_NANOS);
+        creditNanos = Math.min(creditNanos + nanos, FIRST_NANOS);
         if (input.isEmpty() || input.get() != drawing.input) {
             input = Optional.of(drawing.input);
             isRunning = false;

@@ -9,11 +9,11 @@ import dev.twister.image.Frame;
 import dev.twister.kernel.Aspect;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
+import dev.twister.scene.VisibleBodies;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
-import dev.twister.scene.VisibleBodies;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.stream.Stream;
@@ -45,7 +45,18 @@ final class PathsInLanesTest {
     @Tag("slow")
     @ParameterizedTest
     @ValueSource(
-            strings = {"atrium", "bokeh", "gallery", "glass", "knot", "lamps", "maps", "metals", "planets", "spheres-10000"})
+            strings = {
+                "atrium",
+                "bokeh",
+                "gallery",
+                "glass",
+                "knot",
+                "lamps",
+                "maps",
+                "metals",
+                "planets",
+                "spheres-10000"
+            })
     void otherScenesAreTheSame(String scene) {
         try (Engine vector = VectorEngines.open(2, CROWD)) {
             assertSame(vector, shipped(scene, 71, 43, 3));
@@ -97,8 +108,10 @@ final class PathsInLanesTest {
         Scene scene = VisibleBodies.of(SceneReader.read(Path.of("scenes", name + ".json")));
         SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
         World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
-        world.setSettings(
-                world.settings().withIntegrator(Integrator.PATH).withSize(width, height).withSamplesPerPixel(samples));
+        world.setSettings(world.settings()
+                .withIntegrator(Integrator.PATH)
+                .withSize(width, height)
+                .withSamplesPerPixel(samples));
         return world;
     }
 }
