@@ -13,7 +13,7 @@ import java.util.Optional;
  */
 final class PathRehearsal {
     /** Drawing by the kernel before it, which lets a short render have all of the processor. */
-    private static final long FIRST_NANOS = 500_000_000L;
+    private static final long FIRST_NANOS = 2_000_000_000L;
 
     /** A tile's samples that are followed. */
     private static final int MOST_SAMPLES = 4;
