@@ -2,7 +2,7 @@
 import dev.twister.*;
 import dev.twister.scene.*;
 
-Material gold = Material.DEFAULT.withColor(new Rgb(1, 0.8, 0.3)).withReflectivity(90);
+Material gold = Material.DEFAULT.withColor(new Rgb(1, 0.71, 0.29)).withReflectivity(90).withMetallic(1);
 SceneBuilder scene = new SceneBuilder();
 scene.camera(Camera.of(new Vector3(0, 2, -7), 0, 10, 45));
 scene.rendering(Rendering.DEFAULT.withSize(640, 360));

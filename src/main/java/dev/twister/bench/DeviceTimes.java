@@ -11,7 +11,8 @@ public record DeviceTimes(double kernel, double copyIn, double copyOut) {
 
     /** Empty on the JVM, where the kernel's time is that of the whole frame. */
     static Optional<DeviceTimes> meanOf(List<FrameTimes> frames) {
-        boolean onJvm = frames.stream().allMatch(frame -> frame.equals(FrameTimes.onJvm(frame.totalNanos())));
+        boolean onJvm = frames.stream()
+                .allMatch(frame -> frame.equals(FrameTimes.onJvm(frame.totalNanos(), frame.processorNanos())));
         return onJvm
                 ? Optional.empty()
                 : Optional.of(new DeviceTimes(

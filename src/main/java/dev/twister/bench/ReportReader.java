@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
@@ -43,7 +44,10 @@ final class ReportReader {
         List<JsonNode> reports = new ArrayList<>();
         try (var values = new JsonMapper().readerFor(JsonNode.class).<JsonNode>readValues(bytes(file))) {
             while (values.hasNextValue()) {
-                reports.add(values.nextValue());
+                int line = values.currentLocation().getLineNr();
+                JsonNode report = values.nextValue();
+                checkResults(report, file + ": line " + line + ": ");
+                reports.add(report);
             }
         } catch (JacksonException problem) {
             throw new IOException(file + ": not valid JSON: " + problem.getOriginalMessage(), problem);
@@ -52,6 +56,24 @@ final class ReportReader {
             throw new IOException(file + NO_RESULTS);
         }
         return reports;
+    }
+
+    /** Results are objects of numbers, texts and truth values. */
+    private static void checkResults(JsonNode report, String place) throws IOException {
+        int index = 0;
+        for (JsonNode row : results(report)) {
+            String name = "result " + (index + 1);
+            if (!row.isObject()) {
+                throw new IOException(place + name + " must be an object");
+            }
+            for (Map.Entry<String, JsonNode> field : row.properties()) {
+                if (field.getValue().isContainer()) {
+                    throw new IOException(place + name + ": " + field.getKey() + " must be a number or a text, but is "
+                            + (field.getValue().isArray() ? "a list" : "an object"));
+                }
+            }
+            index++;
+        }
     }
 
     /** The rows of a report, of all its figures. */

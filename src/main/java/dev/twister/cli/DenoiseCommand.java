@@ -57,7 +57,7 @@ final class DenoiseCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         LinearPictureFile.check(output);
-        Rendering settings = tone.over(Rendering.DEFAULT);
+        tone.over(Rendering.DEFAULT);
         InputFile.problem(file).ifPresent(problem -> {
             throw new BadInputException(file + ": " + problem);
         });
@@ -78,7 +78,7 @@ final class DenoiseCommand implements Callable<Integer> {
         }
         DenoisingNotes.print(denoised, file.toString(), spec.commandLine().getErr());
         ExrPicture picture = denoised.picture();
-        LinearPictureFile.write(output, picture, settings, tone);
+        LinearPictureFile.write(output, picture, tone);
         OutputFile.notes(spec.commandLine(), output)
                 .printf("%s: %d x %d, denoised%n", OutputFile.name(output), picture.width(), picture.height());
         return ExitCode.OK;

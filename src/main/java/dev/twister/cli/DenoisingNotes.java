@@ -23,5 +23,9 @@ final class DenoisingNotes {
             err.println("twister: " + PrintableText.line(name) + " has " + denoised.notFinite()
                     + " values that are not finite; they count as 0");
         }
+        if (denoised.kept() > 0) {
+            err.println("twister: " + PrintableText.line(name) + ": " + denoised.kept()
+                    + " values are too large to be denoised; they stay as they are");
+        }
     }
 }

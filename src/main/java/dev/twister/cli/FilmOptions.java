@@ -1,10 +1,12 @@
 package dev.twister.cli;
 
+import dev.twister.film.FilmFile;
 import dev.twister.motion.MotionFile;
 import dev.twister.render.BodyMotion;
 import dev.twister.render.ExistingFrames;
 import dev.twister.render.FrameRange;
 import dev.twister.render.Movement;
+import dev.twister.render.NumberedFiles;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.world.Animation;
@@ -25,7 +27,7 @@ final class FilmOptions {
             converter = FrameRangeConverter.class,
             description = "Render frames of a film: N for frames 0 to N-1, A-B for frames A to B, to FILE-0000.png,"
                     + " FILE-0001.png, ...; %%04d or #### in FILE is the place of the number. Default: all of --motion"
-                    + " or --turntable.")
+                    + " or --turntable, or of the scene's keyframes for a film, numbered files or with --fps.")
     private Optional<FrameRange> frames = Optional.empty();
 
     @Option(
@@ -91,20 +93,27 @@ final class FilmOptions {
     /**
      * The frames to render; empty for a single picture.
      *
-     * @param film whether the output is a film
+     * @param output a film, numbered files or a picture
      */
-    Optional<FrameRange> frames(Scene scene, MotionOptions physics, Optional<MotionFile> recorded, boolean film)
+    Optional<FrameRange> frames(Scene scene, MotionOptions physics, Optional<MotionFile> recorded, Path output)
             throws IOException {
-        if (time.isPresent()) {
-            checkTime(scene, film);
-            return Optional.empty();
-        }
+        return time.isPresent() ? single(scene, output) : framesOf(scene, physics, recorded, output);
+    }
+
+    private static boolean isNumbered(Path output) {
+        return !OutputFile.isStandardOutput(output) && NumberedFiles.hasPlace(output);
+    }
+
+    private Optional<FrameRange> framesOf(
+            Scene scene, MotionOptions physics, Optional<MotionFile> recorded, Path output) throws IOException {
+        boolean several = FilmFile.isFilm(output) || isNumbered(output);
         boolean moves = physics.isOn() || recorded.isPresent() || turntable.isPresent() || Animation.isIn(scene);
         if (!moves) {
-            if (frames.isPresent() || physics.isTimeGiven() || film) {
-                throw new BadInputException((film ? "a film" : frames.isPresent() ? "--frames" : "--fps and --start")
-                        + " requires --physics, --motion, --turntable, or a scene with keyframes: otherwise nothing"
-                        + " moves");
+            if (frames.isPresent() || physics.isTimeGiven() || several) {
+                throw new BadInputException(
+                        (frames.isPresent() ? "--frames" : physics.isTimeGiven() ? "--fps and --start" : kind(output))
+                                + " requires --physics, --motion, --turntable, or a scene with keyframes: otherwise"
+                                + " nothing moves");
             }
             return Optional.empty();
         }
@@ -122,15 +131,29 @@ final class FilmOptions {
         }
         double rate = 1 / physics.secondsPerFrame();
         if (turntable.isPresent()) {
-            return Optional.of(FrameRange.ofCount((int) Math.max(1, Math.round(turntable.get() * rate))));
+            return Optional.of(counted(Math.max(1, Math.round(turntable.get() * rate))));
         }
-        if (film && Animation.isIn(scene)) {
-            return Optional.of(FrameRange.ofCount((int) Math.round(Animation.length(scene) * rate) + 1));
+        boolean whole = several || skipExisting || overwrite;
+        if (Animation.isIn(scene) && (whole || !physics.isOn() && physics.isTimeGiven())) {
+            return Optional.of(counted(Animation.frames(scene, rate)));
         }
-        if (film || skipExisting) {
-            throw new BadInputException((film ? "a film" : "--skip-existing") + " requires --frames");
+        if (whole) {
+            throw new BadInputException((several ? kind(output) : skipExisting ? "--skip-existing" : "--overwrite")
+                    + " requires --frames, as physics have no end");
         }
         return Optional.empty();
+    }
+
+    private static String kind(Path output) {
+        return FilmFile.isFilm(output) ? "a film" : "--output " + output + ", a name of numbered frames,";
+    }
+
+    private static FrameRange counted(long count) {
+        if (count > FrameRange.MOST) {
+            throw new BadInputException(
+                    "the film has " + count + " frames, but at most " + FrameRange.MOST + " are possible; lower --fps");
+        }
+        return FrameRange.ofCount((int) count);
     }
 
     private FrameRange whole(MotionFile recorded) throws IOException {
@@ -140,14 +163,16 @@ final class FilmOptions {
         return FrameRange.of(recorded.firstFrame(), recorded.lastFrame());
     }
 
-    private void checkTime(Scene scene, boolean film) {
-        if (film) {
-            throw new BadInputException(
-                    "--time renders one picture, but --output is a film; give --frames for a part" + " of it");
+    private static Optional<FrameRange> single(Scene scene, Path output) {
+        if (FilmFile.isFilm(output) || isNumbered(output)) {
+            throw new BadInputException("--time renders one picture, but --output is "
+                    + (FilmFile.isFilm(output) ? "a film" : output + ", a name of numbered frames")
+                    + "; give --frames for a part of a film");
         }
         if (!Animation.isIn(scene)) {
             throw new BadInputException("--time requires a scene with keyframes: otherwise nothing moves");
         }
+        return Optional.empty();
     }
 
     /**

@@ -4,12 +4,14 @@ import dev.twister.denoise.Denoiser;
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.denoise.Denoisers;
 import dev.twister.files.InputFile;
+import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrExtent;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
 import dev.twister.image.JoinedPicture;
 import dev.twister.image.PictureSize;
 import dev.twister.render.DenoisedPicture;
+import dev.twister.render.PictureLayers;
 import dev.twister.render.RelitPicture;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
@@ -76,7 +78,7 @@ final class JoinCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         LinearPictureFile.check(output);
-        Rendering settings = tone.over(Rendering.DEFAULT);
+        tone.over(Rendering.DEFAULT);
         for (Path part : parts) {
             InputFile.problem(part).ifPresent(problem -> {
                 throw new BadInputException(part + ": " + problem);
@@ -87,7 +89,8 @@ final class JoinCommand implements Callable<Integer> {
         offer.ifPresent(DenoiserOffer::check);
         ExrPicture joined = relit(joined());
         ExrPicture picture = offer.map(found -> denoised(joined, found)).orElse(joined);
-        LinearPictureFile.write(output, picture, settings, tone);
+        tellOfNotFinite(picture);
+        LinearPictureFile.write(output, picture, tone);
         OutputFile.notes(spec.commandLine(), output)
                 .printf(
                         Locale.ROOT,
@@ -99,6 +102,20 @@ final class JoinCommand implements Callable<Integer> {
                         parts.size() == 1 ? "part" : "parts",
                         picture.provenance().orElseThrow().samples());
         return ExitCode.OK;
+    }
+
+    private void tellOfNotFinite(ExrPicture picture) {
+        long count = 0;
+        for (ExrChannel channel : picture.channels()) {
+            // Depth may be infinite.
+            boolean color = PictureLayers.COLORS.contains(channel.name());
+            for (int i = 0; color && i < picture.width() * picture.rows(); i++) {
+                count += Float.isFinite(channel.values()[channel.first() + i * channel.stride()]) ? 0 : 1;
+            }
+        }
+        if (count > 0) {
+            spec.commandLine().getErr().println("twister: " + count + " colors of the joined picture are not finite");
+        }
     }
 
     private ExrPicture relit(ExrPicture picture) {

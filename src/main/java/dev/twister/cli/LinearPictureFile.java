@@ -5,6 +5,7 @@ import dev.twister.image.ExrWriter;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
 import dev.twister.image.Provenance;
+import dev.twister.render.FileDisplay;
 import dev.twister.render.PictureLayers;
 import dev.twister.scene.Rendering;
 import dev.twister.world.AutoExposure;
@@ -12,6 +13,7 @@ import dev.twister.world.TonedPixels;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /** Writes a picture that was read from .exr files. */
 final class LinearPictureFile {
@@ -30,10 +32,9 @@ final class LinearPictureFile {
     /**
      * Writes all channels to an .exr file, and the colors to a .hdr or .png file.
      *
-     * @param settings exposure and tone map for a .png file
-     * @param tone whether the exposure is set by the picture
+     * @param tone overrides the file's own exposure and tone map, for a .png file
      */
-    static void write(Path output, ExrPicture picture, Rendering settings, ToneOptions tone) throws IOException {
+    static void write(Path output, ExrPicture picture, ToneOptions tone) throws IOException {
         Provenance made = picture.provenance().orElseThrow();
         if (OutputFile.endsIn(output, ".exr")) {
             ExrWriter.write(output, picture);
@@ -41,6 +42,7 @@ final class LinearPictureFile {
             HdrWriter.write(output, picture.width(), picture.height(), radiance(picture), made);
         } else {
             float[] radiance = radiance(picture);
+            Rendering settings = tone.over(FileDisplay.settings(Optional.of(made)));
             int[] pixels = TonedPixels.of(
                     radiance, tone.metered(settings, () -> AutoExposure.stops(radiance, settings.srgb())));
             PngWriter.write(output, picture.width(), picture.height(), pixels, settings.srgb(), false, made);

@@ -227,7 +227,7 @@ final class RenderCommand implements Callable<Integer> {
         Rendering settings = settings(scene.rendering());
         Scene shown =
                 tone.fixed(camera.fixed(scene.withCamera(camera.over(scene)))).withRendering(settings);
-        Optional<FrameRange> frames = film.frames(shown, motion, recorded, FilmFile.isFilm(picture));
+        Optional<FrameRange> frames = film.frames(shown, motion, recorded, picture);
         if (frames.isEmpty()) {
             film.checkSingle();
         }

@@ -10,7 +10,10 @@ import picocli.CommandLine.Option;
 
 /** What is behind everything, instead of the scene's own sky; within what a scene file may have. */
 final class SkyOptions {
-    @Option(names = "--skybox", paramLabel = "FILE", description = "Panorama to use as the sky: .hdr, .png or .jpg.")
+    @Option(
+            names = "--skybox",
+            paramLabel = "FILE",
+            description = "Panorama to use as the sky: .hdr, .exr, .png or .jpg.")
     private Optional<Path> skybox = Optional.empty();
 
     @Option(names = "--sky-rotation", paramLabel = "DEGREES", description = "Turn of the panorama to the right.")

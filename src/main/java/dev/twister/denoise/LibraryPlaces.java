@@ -51,8 +51,12 @@ record LibraryPlaces(Map<String, String> environment, Path home, String system) 
                         .toList());
     }
 
-    /** Names by which the system's own loader may find the library. */
+    /** Names by which the system's own loader may find the library; of Windows none, as it looks beside scenes too. */
     List<String> names() {
+        return isWindows() ? List.of() : fileNames();
+    }
+
+    private List<String> fileNames() {
         if (isWindows()) {
             return List.of("OpenImageDenoise.dll");
         }
@@ -116,7 +120,16 @@ record LibraryPlaces(Map<String, String> environment, Path home, String system) 
     private Stream<String> folders(String variable) {
         return Stream.ofNullable(environment.get(variable))
                 .flatMap(text -> Stream.of(text.split(Pattern.quote(File.pathSeparator))))
-                .filter(folder -> !folder.isBlank());
+                .filter(LibraryPlaces::isAbsolute);
+    }
+
+    /** A place that depends on the current folder may be beside a scene of someone else. */
+    private static boolean isAbsolute(String folder) {
+        try {
+            return Path.of(folder).isAbsolute();
+        } catch (InvalidPathException _) {
+            return false;
+        }
     }
 
     /** The file itself, or the library in the folder or its subfolders. */
@@ -126,7 +139,7 @@ record LibraryPlaces(Map<String, String> environment, Path home, String system) 
             return Files.isRegularFile(path)
                     ? Stream.of(path)
                     : subfolders.stream()
-                            .flatMap(sub -> names().stream().map(path.resolve(sub)::resolve))
+                            .flatMap(sub -> fileNames().stream().map(path.resolve(sub)::resolve))
                             .filter(Files::isRegularFile)
                             .limit(1);
         } catch (InvalidPathException _) {

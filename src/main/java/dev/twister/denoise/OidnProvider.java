@@ -30,11 +30,12 @@ public final class OidnProvider implements DenoiserProvider {
             }
             refused = refused.or(() -> tried.obstacle().map(why -> file + " " + why));
         }
-        if (places.named().isEmpty()) {
-            String name = places.names().getFirst();
-            LibraryProbe.Result tried = LibraryProbe.of(name);
+        Optional<String> name =
+                places.names().stream().filter(_ -> places.named().isEmpty()).findFirst();
+        if (name.isPresent()) {
+            LibraryProbe.Result tried = LibraryProbe.of(name.get());
             if (tried.obstacle().isEmpty()) {
-                return working(name, tried.version());
+                return working(name.get(), tried.version());
             }
         }
         String found = refused.orElseGet(() -> places.named()

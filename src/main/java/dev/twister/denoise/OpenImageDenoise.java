@@ -2,7 +2,9 @@ package dev.twister.denoise;
 
 import java.lang.foreign.MemorySegment;
 import java.lang.foreign.ValueLayout;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 
 /** Intel's Open Image Denoise, a neural network; in bands if the picture is large. */
 @SuppressWarnings("restricted") // native functions
@@ -54,29 +56,50 @@ final class OpenImageDenoise implements Denoiser {
     private void denoise(NoisyPicture picture, Bands bands, int band, float scale, Images images, float[] denoised) {
         int width = picture.width();
         int rows = bands.bottom(band) - bands.top(band);
+        images.load(RADIANCE, picture.radiance(), bands, band);
+        picture.guides().ifPresent(guides -> {
+            images.load(ALBEDO, guides.albedo(), bands, band);
+            images.load(NORMAL, guides.normal(), bands, band);
+            // Guides are averages of few samples too; what noise is left in them stays in the picture.
+            for (String guide : List.of(ALBEDO, NORMAL)) {
+                filter(filter -> {
+                    images.set(filter, guide, guide, width, rows);
+                    images.set(filter, OUTPUT, guide, width, rows);
+                });
+            }
+        });
+        filter(filter -> {
+            OidnFunctions library = device.library();
+            images.set(filter, RADIANCE, RADIANCE, width, rows);
+            images.set(filter, OUTPUT, OUTPUT, width, rows);
+            if (picture.guides().isPresent()) {
+                images.set(filter, ALBEDO, ALBEDO, width, rows);
+                images.set(filter, NORMAL, NORMAL, width, rows);
+                library.run("oidnSetFilterBool", filter, "cleanAux", true);
+            }
+            library.run("oidnSetFilterBool", filter, "hdr", true);
+            library.run("oidnSetFilterFloat", filter, "inputScale", scale);
+        });
+        int kept = bands.end(band) - bands.first(band);
+        MemorySegment.copy(
+                images.data(OUTPUT),
+                ValueLayout.JAVA_FLOAT,
+                (long) Float.BYTES * CHANNELS * width * (bands.first(band) - bands.top(band)),
+                denoised,
+                CHANNELS * width * bands.first(band),
+                CHANNELS * width * kept);
+    }
+
+    /** Runs a filter with the settings that the caller makes. */
+    private void filter(Consumer<MemorySegment> settings) {
         OidnFunctions library = device.library();
         MemorySegment filter = device.newFilter();
         try {
-            images.put(filter, RADIANCE, picture.radiance(), bands, band);
-            picture.guides().ifPresent(guides -> {
-                images.put(filter, ALBEDO, guides.albedo(), bands, band);
-                images.put(filter, NORMAL, guides.normal(), bands, band);
-            });
-            images.set(filter, OUTPUT, width, rows);
-            library.run("oidnSetFilterBool", filter, "hdr", true);
-            library.run("oidnSetFilterFloat", filter, "inputScale", scale);
+            settings.accept(filter);
             library.run("oidnSetFilterInt", filter, "maxMemoryMB", MOST_MEGABYTES);
             library.run("oidnCommitFilter", filter);
             library.run("oidnExecuteFilter", filter);
             device.check();
-            int kept = bands.end(band) - bands.first(band);
-            MemorySegment.copy(
-                    images.data(OUTPUT),
-                    ValueLayout.JAVA_FLOAT,
-                    (long) Float.BYTES * CHANNELS * width * (bands.first(band) - bands.top(band)),
-                    denoised,
-                    CHANNELS * width * bands.first(band),
-                    CHANNELS * width * kept);
         } finally {
             library.run("oidnReleaseFilter", filter);
         }
@@ -118,8 +141,8 @@ final class OpenImageDenoise implements Denoiser {
             return device.library().pointer("oidnGetBufferData", buffer(name)).reinterpret(bytes);
         }
 
-        /** Copies a band of a plane, and makes it an image of the filter. */
-        void put(MemorySegment filter, String name, Plane plane, Bands bands, int band) {
+        /** Copies a band of a plane into its buffer. */
+        void load(String name, Plane plane, Bands bands, int band) {
             int stride = CHANNELS * bands.width();
             int rows = bands.bottom(band) - bands.top(band);
             MemorySegment data = data(name);
@@ -130,17 +153,16 @@ final class OpenImageDenoise implements Denoiser {
                     data.setAtIndex(ValueLayout.JAVA_FLOAT, i, 0f);
                 }
             }
-            set(filter, name, bands.width(), rows);
         }
 
         /** Makes a buffer an image of the filter. */
-        void set(MemorySegment filter, String name, int width, int rows) {
+        void set(MemorySegment filter, String name, String buffer, int width, int rows) {
             device.library()
                     .run(
                             "oidnSetFilterImage",
                             filter,
                             name,
-                            buffer(name),
+                            buffer(buffer),
                             THREE_FLOATS,
                             (long) width,
                             (long) rows,

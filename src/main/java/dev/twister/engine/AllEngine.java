@@ -1,12 +1,13 @@
 package dev.twister.engine;
 
 import dev.twister.image.Frame;
+import dev.twister.image.FrameStop;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
@@ -45,37 +46,51 @@ final class AllEngine implements Engine {
     public void render(FrameInput input, Frame frame) {
         FrameFit.check(input, frame);
         long start = System.nanoTime();
+        FrameStop stop = FrameStop.of(frame);
         BandQueue queue = new BandQueue(frame.height());
         double together = workers.stream().mapToDouble(BandWorker::rowsASecond).sum();
         boolean known = workers.stream().allMatch(worker -> worker.rowsASecond() > 0);
         CompletableFuture<?>[] parts = workers.stream()
                 .map(worker -> {
                     Optional<Double> share = known ? Optional.of(worker.rowsASecond() / together) : Optional.empty();
-                    return CompletableFuture.runAsync(() -> render(worker, input, frame, queue, share), threads);
+                    return CompletableFuture.runAsync(() -> render(worker, input, stop, queue, share), threads);
                 })
                 .toArray(CompletableFuture[]::new);
-        await(CompletableFuture.allOf(parts));
+        await(CompletableFuture.allOf(parts), stop);
+        stop.check();
         frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start));
     }
 
     private static void render(
-            BandWorker worker, FrameInput input, Frame frame, BandQueue queue, Optional<Double> share) {
+            BandWorker worker, FrameInput input, FrameStop stop, BandQueue queue, Optional<Double> share) {
         try {
-            worker.render(input, frame, queue, share);
+            worker.render(input, stop, queue, share);
         } catch (RuntimeException | Error problem) {
             queue.stop();
             throw problem;
         }
     }
 
-    private static void await(CompletableFuture<Void> all) {
+    private static void await(CompletableFuture<Void> all, FrameStop stop) {
+        boolean interrupted = false;
         try {
-            all.join();
-        } catch (CompletionException problem) {
+            while (!all.isDone()) {
+                try {
+                    all.get();
+                } catch (InterruptedException _) {
+                    interrupted = true;
+                    stop.ask();
+                }
+            }
+        } catch (ExecutionException problem) {
             switch (problem.getCause()) {
                 case RuntimeException cause -> throw cause;
                 case Error cause -> throw cause;
-                case null, default -> throw problem;
+                case null, default -> throw new IllegalStateException(problem);
+            }
+        } finally {
+            if (interrupted) {
+                Thread.currentThread().interrupt();
             }
         }
     }

@@ -1,6 +1,7 @@
 package dev.twister.engine;
 
 import dev.twister.image.Frame;
+import dev.twister.image.FrameStop;
 import dev.twister.world.FrameInput;
 import java.util.HashSet;
 import java.util.Optional;
@@ -52,18 +53,18 @@ final class BandWorker {
      * @param input of the whole frame
      * @param share of the frame that this engine renders by its speed, from 0 to 1; empty if some speed is unknown
      */
-    void render(FrameInput input, Frame frame, BandQueue queue, Optional<Double> share) {
+    void render(FrameInput input, FrameStop stop, BandQueue queue, Optional<Double> share) {
         if (engine.drawsBandsInProportion()) {
             double part = share.orElse(FIRST_PART) / BANDS;
             for (var band = queue.takeFromBottom(part, FEWEST_ROWS);
                     band.isPresent();
                     band = queue.takeFromBottom(part, FEWEST_ROWS)) {
-                renderExactly(input, frame, band.get());
+                renderExactly(input, stop, band.get());
             }
         } else {
             int rows = fixedRows(queue.rows(), share);
             for (var band = queue.takeFromTop(rows); band.isPresent(); band = queue.takeFromTop(rows)) {
-                renderAround(input, frame, band.get());
+                renderAround(input, stop, band.get());
             }
         }
     }
@@ -80,17 +81,21 @@ final class BandWorker {
         return fixedRows;
     }
 
-    private void renderExactly(FrameInput input, Frame frame, BandQueue.Band band) {
+    private void renderExactly(FrameInput input, FrameStop stop, BandQueue.Band band) {
+        Frame frame = stop.frame();
         Frame part = frame.ofRows(band.rows());
+        part.stopWhen(stop::isAsked);
         engine.render(input.band(input.firstRow() + band.first(), band.rows()), part);
         frame.put(part, band.first());
         measure(part, band.rows());
     }
 
     /** Renders the fixed number of rows, in which the band's are, and keeps the band's. */
-    private void renderAround(FrameInput input, Frame frame, BandQueue.Band band) {
+    private void renderAround(FrameInput input, FrameStop stop, BandQueue.Band band) {
         int first = Math.min(band.first(), frameRows - fixedRows);
+        Frame frame = stop.frame();
         Frame part = frame.ofRows(fixedRows);
+        part.stopWhen(stop::isAsked);
         engine.render(input.band(input.firstRow() + first, fixedRows), part);
         frame.put(part.rows(band.first() - first, band.rows()), band.first());
         if (!compiledByLinear.add(frame.isLinear())) {

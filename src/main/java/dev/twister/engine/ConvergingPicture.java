@@ -3,6 +3,7 @@ package dev.twister.engine;
 import dev.twister.engine.NoiseEstimate.Half;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.image.RenderStoppedException;
 import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
 import dev.twister.world.TonedPixels;
@@ -11,7 +12,8 @@ import java.util.function.Consumer;
 
 /**
  * A picture that accumulates samples until its noise is low, see {@link NoiseEstimate}. Tiles whose noise is low get no
- * more samples. What a tile gets depends on its own pixels alone, so that it is the same in every part of a picture.
+ * more samples. What a tile gets depends on its own row of tiles alone, so that it is the same in every part of a
+ * picture.
  */
 public final class ConvergingPicture {
     private static final int CHANNELS = 3;
@@ -22,6 +24,9 @@ public final class ConvergingPicture {
 
     /** A tile with fewer samples is not done: light that few samples find may not have been found yet. */
     private static final int LEAST_SAMPLES = 16;
+
+    /** The same where no clamp bounds what one sample finds. */
+    private static final int LEAST_UNCLAMPED = 32;
 
     /** Limit of samples per pixel in one call of an engine, so that progress is reported. */
     private static final int MOST_AT_ONCE = 64;
@@ -37,9 +42,10 @@ public final class ConvergingPicture {
     private int samplesOfHalf;
     private FrameTimes times = FrameTimes.NONE;
 
-    private ConvergingPicture(FrameInput input) {
+    private ConvergingPicture(FrameInput input, Frame frame) {
         this.input = input;
         pass = Frame.ofRadiance(input.width(), input.rows(), input.layers());
+        pass.stopWhen(frame::isToStop);
         sums = new float[2][pass.radiance().length];
         layers = new float[pass.layers().length];
         wanted = new boolean[input.tilesAcross() * Math.ceilDiv(input.rows(), SIDE)];
@@ -73,6 +79,7 @@ public final class ConvergingPicture {
      * @param bound the noise to reach, relative to white; with 0 the picture gets all samples
      * @param mostSamples limit of samples per pixel, at least 8, even if more noise is left
      * @param watcher called after each pass
+     * @throws RenderStoppedException as {@link Engine#render}; the frame then holds the samples so far
      */
     public static Converged draw(
             Engine engine,
@@ -82,19 +89,29 @@ public final class ConvergingPicture {
             int mostSamples,
             Consumer<Convergence> watcher) {
         FrameFit.check(input, frame);
-        ConvergingPicture picture = new ConvergingPicture(input);
+        ConvergingPicture picture = new ConvergingPicture(input, frame);
+        try {
+            Convergence reached = picture.converge(engine, bound, mostSamples, watcher);
+            picture.write(frame);
+            return new Converged(reached, picture.samplesOfTile);
+        } catch (RenderStoppedException stopped) {
+            picture.write(frame);
+            throw stopped;
+        }
+    }
+
+    private Convergence converge(Engine engine, double bound, int mostSamples, Consumer<Convergence> watcher) {
         int most = mostSamples / 2;
         int more = Math.min(FIRST_SAMPLES, most);
         Convergence reached = new Convergence(0, Double.MAX_VALUE, 0);
         while (more > 0) {
-            picture.add(engine, more);
-            picture.estimate(bound);
-            more = picture.isDone() ? 0 : Math.min(picture.more(), most - picture.samplesOfHalf);
-            reached = picture.reached(bound, mostSamples, more == 0);
+            add(engine, more);
+            estimate(bound);
+            more = isDone() ? 0 : Math.min(more(), most - samplesOfHalf);
+            reached = reached(bound, mostSamples, more == 0);
             watcher.accept(reached);
         }
-        picture.write(frame);
-        return new Converged(reached, picture.samplesOfTile);
+        return reached;
     }
 
     /** Samples per pixel and half of the next pass: half as many as so far. */
@@ -106,20 +123,30 @@ public final class ConvergingPicture {
         int first = input.firstSample() + 2 * samplesOfHalf;
         for (int half = 0; half < sums.length; half++) {
             FrameInput sampled = input.withSamples(first + half * samples, samples);
-            engine.render(isAnyDone() ? sampled.withTiles(wanted) : sampled, pass);
-            times = times.plus(pass.times());
-            for (int tile = 0; tile < wanted.length; tile++) {
-                if (wanted[tile]) {
-                    addTile(tile, samples, pass.radiance(), 0, sums[half]);
-                    for (int layer = 0; layer < input.layers(); layer++) {
-                        addTile(tile, samples, pass.layers(), pass.firstOf(layer), layers);
-                    }
+            try {
+                engine.render(isAnyDone() ? sampled.withTiles(wanted) : sampled, pass);
+            } catch (RenderStoppedException stopped) {
+                if (samplesOfHalf == 0 && half == 0) {
+                    // The first pixels are all there is.
+                    addPass(samples, sums[half]);
                 }
+                throw stopped;
             }
+            times = times.plus(pass.times());
+            addPass(samples, sums[half]);
         }
         samplesOfHalf += samples;
+    }
+
+    private void addPass(int samples, float[] sum) {
         for (int tile = 0; tile < wanted.length; tile++) {
-            samplesOfTile[tile] = wanted[tile] ? 2 * samplesOfHalf : samplesOfTile[tile];
+            if (wanted[tile]) {
+                addTile(tile, samples, pass.radiance(), 0, sum);
+                for (int layer = 0; layer < input.layers(); layer++) {
+                    addTile(tile, samples, pass.layers(), pass.firstOf(layer), layers);
+                }
+                samplesOfTile[tile] += samples;
+            }
         }
     }
 
@@ -149,15 +176,22 @@ public final class ConvergingPicture {
     /** A tile is done if its noise is low after two passes: once may be by chance. */
     private void estimate(double bound) {
         double[] now = new NoiseEstimate(pass.width(), input.view().frame())
-                .tiles(new Half(sums[0], samplesOfHalf), new Half(sums[1], samplesOfHalf));
+                .tiles(
+                        new Half(sums[0], tile -> samplesOfTile[tile] / 2),
+                        new Half(sums[1], tile -> samplesOfTile[tile] / 2));
         for (int tile = 0; tile < wanted.length; tile++) {
             if (wanted[tile]) {
                 noise[tile] = now[tile];
                 boolean before = low[tile];
                 low[tile] = bound > 0 && now[tile] <= bound;
-                wanted[tile] = !(before && low[tile] && samplesOfTile[tile] >= LEAST_SAMPLES);
+                wanted[tile] = !(before && low[tile] && samplesOfTile[tile] >= leastSamples());
             }
         }
+    }
+
+    private int leastSamples() {
+        boolean unclamped = input.tracesPaths() && input.view().frame()[Layout.CLAMP] == 0;
+        return unclamped ? LEAST_UNCLAMPED : LEAST_SAMPLES;
     }
 
     private boolean isDone() {
@@ -197,7 +231,7 @@ public final class ConvergingPicture {
     private void write(Frame frame) {
         float[] radiance = frame.isLinear() ? frame.radiance() : pass.radiance();
         for (int tile = 0; tile < wanted.length; tile++) {
-            float average = 1f / samplesOfTile[tile];
+            float average = 1f / Math.max(1, samplesOfTile[tile]);
             forRows(tile, (first, end) -> {
                 for (int i = first; i < end; i++) {
                     radiance[i] = (sums[0][i] + sums[1][i]) * average;

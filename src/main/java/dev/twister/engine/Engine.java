@@ -1,6 +1,7 @@
 package dev.twister.engine;
 
 import dev.twister.image.Frame;
+import dev.twister.image.RenderStoppedException;
 import dev.twister.world.FrameInput;
 
 /**
@@ -21,6 +22,8 @@ public interface Engine extends AutoCloseable {
      *
      * @throws EngineException if the engine or its device fails; the frame's content is then undefined
      * @throws IllegalArgumentException if the frame's width or height does not match the input
+     * @throws RenderStoppedException if the thread is interrupted or the frame is stopped, within 0.2 s on the JVM, and
+     *     after the device's work elsewhere; the frame then holds what was complete
      * @throws IllegalStateException if the engine is from {@link Engines#open} and was closed
      */
     void render(FrameInput input, Frame frame);

@@ -2,9 +2,12 @@ package dev.twister.engine;
 
 import com.google.auto.service.AutoService;
 import dev.twister.image.Frame;
+import dev.twister.image.FrameStop;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import java.util.List;
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
 
 /** The engines that need only the JVM: the paper's two baselines. */
@@ -19,7 +22,7 @@ public final class JvmEngines implements EngineProvider {
         return offer(
                 PARALLEL,
                 threads == 1 ? "one thread of this JVM" : threads + " threads of this JVM",
-                "plain Java, a parallel stream over the rows",
+                "plain Java, the rows spread over all threads",
                 JvmEngines::drawInParallel);
     }
 
@@ -34,24 +37,36 @@ public final class JvmEngines implements EngineProvider {
         return EngineOffer.working(id, device, description, () -> new JvmEngine(id, device, rows));
     }
 
-    private static void drawInTurn(FrameInput input, Frame frame) {
-        JvmKernel kernel = new JvmKernel();
-        for (int row = 0; row < frame.height(); row++) {
-            kernel.drawRow(input, frame, row, 0, input.width());
-        }
+    private static long drawInTurn(FrameInput input, FrameStop stop) {
+        return drawRows(input, stop, new AtomicInteger());
     }
 
-    private static void drawInParallel(FrameInput input, Frame frame) {
-        RowSpread rows = new RowSpread(frame.height());
-        IntStream.range(0, frame.height())
+    /**
+     * Each element of the stream takes one row after the other: the caller then waits for the last rows alone, and its
+     * interrupt, which a parallel stream hides while its caller waits, is seen.
+     */
+    private static long drawInParallel(FrameInput input, FrameStop stop) {
+        AtomicInteger next = new AtomicInteger();
+        return IntStream.range(0, ForkJoinPool.getCommonPoolParallelism() + 1)
                 .parallel()
-                .forEach(index -> new JvmKernel().drawRow(input, frame, rows.row(index), 0, input.width()));
+                .mapToLong(_ -> drawRows(input, stop, next))
+                .sum();
     }
 
-    /** Renders the rows of a frame in some order. */
+    private static long drawRows(FrameInput input, FrameStop stop, AtomicInteger next) {
+        long start = ProcessorTime.ofThisThread();
+        JvmKernel kernel = new JvmKernel();
+        int count = stop.frame().height();
+        for (int row = next.getAndIncrement(); row < count; row = next.getAndIncrement()) {
+            kernel.drawRow(input, stop, row, 0, input.width());
+        }
+        return ProcessorTime.ofThisThread() - start;
+    }
+
+    /** Renders the rows of a frame in some order; returns nanoseconds of processor time. */
     @FunctionalInterface
     private interface Rows {
-        void draw(FrameInput input, Frame frame);
+        long draw(FrameInput input, FrameStop stop);
     }
 
     /**
@@ -64,8 +79,10 @@ public final class JvmEngines implements EngineProvider {
         public void render(FrameInput input, Frame frame) {
             FrameFit.check(input, frame);
             long start = System.nanoTime();
-            rows.draw(input, frame);
-            frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start));
+            FrameStop stop = FrameStop.of(frame);
+            long processorNanos = rows.draw(input, stop);
+            stop.check();
+            frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start, processorNanos));
         }
 
         @Override

@@ -1,6 +1,7 @@
 package dev.twister.engine;
 
 import dev.twister.image.Frame;
+import dev.twister.image.FrameStop;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Path;
 import dev.twister.kernel.PixelKernel;
@@ -20,13 +21,17 @@ public final class JvmKernel {
         return path;
     }
 
-    /** Renders the pixels of one row of the band, from {@code firstColumn} to before {@code endColumn}. */
-    public void drawRow(FrameInput input, Frame frame, int row, int firstColumn, int endColumn) {
+    /**
+     * Renders the pixels of one row of the band, from {@code firstColumn} to before {@code endColumn}, or until the
+     * frame is stopped.
+     */
+    public void drawRow(FrameInput input, FrameStop stop, int row, int firstColumn, int endColumn) {
+        Frame frame = stop.frame();
         View view = input.view();
         Bodies bodies = input.bodies();
         int variant = input.variant(frame.isLinear());
         int[] argb = frame.argb();
-        for (int column = firstColumn; column < endColumn; column++) {
+        for (int column = firstColumn; column < endColumn && !stop.isAsked(); column++) {
             PixelKernel.draw(
                     column,
                     row,

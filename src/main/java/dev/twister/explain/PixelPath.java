@@ -1,5 +1,6 @@
 package dev.twister.explain;
 
+import dev.twister.image.FrameStop;
 import dev.twister.engine.JvmKernel;
 import dev.twister.image.Frame;
 import dev.twister.kernel.Aspect;
@@ -53,8 +54,8 @@ public record PixelPath(
                 traced ? new TraceRecorder(band).record(column, sample) : new PathRecorder(band).record(column, sample);
         Frame linear = Frame.ofRadiance(input.width(), 1);
         Frame shown = Frame.ofPixels(input.width(), 1);
-        new JvmKernel().drawRow(band, linear, 0, column, column + 1);
-        new JvmKernel().drawRow(band, shown, 0, column, column + 1);
+        new JvmKernel().drawRow(band, FrameStop.of(linear), 0, column, column + 1);
+        new JvmKernel().drawRow(band, FrameStop.of(shown), 0, column, column + 1);
         return new PixelPath(
                 column,
                 row,

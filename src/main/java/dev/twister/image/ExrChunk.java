@@ -4,11 +4,9 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 import java.util.List;
-import java.util.zip.DataFormatException;
 import java.util.zip.Deflater;
-import java.util.zip.Inflater;
 
-/** Compresses and decompresses chunks of rows in OpenEXR's ZIP format. */
+/** Compresses chunks of rows in OpenEXR's ZIP format. */
 final class ExrChunk {
     /** Rows per chunk; the last one may have fewer. */
     static final int ROWS = 16;
@@ -64,57 +62,5 @@ final class ExrChunk {
             byte[] deflated = new byte[bytes.length];
             return Arrays.copyOf(deflated, deflater.deflate(deflated));
         }
-    }
-
-    /**
-     * Decodes a chunk into its rows: the inverse of {@link #bytes}.
-     *
-     * @param channels of all rows, in the chunk's order
-     * @throws DataFormatException if the chunk does not have those rows
-     */
-    static void read(byte[] chunk, int width, int height, int firstRow, List<ExrChannel> channels)
-            throws DataFormatException {
-        int rows = Math.min(ROWS, height - firstRow);
-        byte[] plain = new byte[Math.multiplyExact(Math.multiplyExact(rows, width), Float.BYTES * channels.size())];
-        if (chunk.length == plain.length) {
-            plain = chunk;
-        } else {
-            inflate(chunk, plain);
-            for (int i = 1; i < plain.length; i++) {
-                plain[i] = (byte) (plain[i] + plain[i - 1] - 128);
-            }
-            plain = whole(plain);
-        }
-        ByteBuffer buffer = ByteBuffer.wrap(plain).order(ByteOrder.LITTLE_ENDIAN);
-        for (int row = firstRow; row < firstRow + rows; row++) {
-            for (ExrChannel channel : channels) {
-                for (int column = 0; column < width; column++) {
-                    channel.values()[row * width + column] = buffer.getFloat();
-                }
-            }
-        }
-    }
-
-    private static void inflate(byte[] chunk, byte[] plain) throws DataFormatException {
-        try (Inflater inflater = new Inflater()) {
-            inflater.setInput(chunk);
-            if (inflater.inflate(plain) != plain.length) {
-                throw new DataFormatException("too short");
-            }
-            // The checksum at the end is read with the next byte.
-            if (inflater.inflate(new byte[1]) != 0 || !inflater.finished()) {
-                throw new DataFormatException("too long");
-            }
-        }
-    }
-
-    private static byte[] whole(byte[] halves) {
-        byte[] bytes = new byte[halves.length];
-        int half = halves.length / 2;
-        for (int i = 0; i < half; i++) {
-            bytes[2 * i] = halves[i];
-            bytes[2 * i + 1] = halves[half + i];
-        }
-        return bytes;
     }
 }

@@ -34,6 +34,9 @@ final class ExrHeader {
         picture.provenance().ifPresent(made -> {
             attribute(out, Provenance.SOFTWARE.toLowerCase(Locale.ROOT), "string", ascii(made.software()));
             attribute(out, Provenance.NAME.toLowerCase(Locale.ROOT), "string", ascii(made.text()));
+            made.display()
+                    .ifPresent(display -> attribute(
+                            out, DisplaySettings.NAME.toLowerCase(Locale.ROOT), "string", ascii(display.text())));
         });
         out.write(0);
         return out.toByteArray();

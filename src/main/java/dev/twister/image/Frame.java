@@ -2,6 +2,7 @@ package dev.twister.image;
 
 import java.nio.IntBuffer;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 
 /**
  * The pixels an engine fills, either 8-bit ARGB or linear radiance, never both.
@@ -22,6 +23,7 @@ public final class Frame {
     private final float[] layers;
     private volatile Optional<IntBuffer> outside = Optional.empty();
     private FrameTimes times = FrameTimes.NONE;
+    private BooleanSupplier stop = () -> false;
 
     private Frame(int width, int height, int[] argb, float[] radiance, float[] layers) {
         this.width = width;
@@ -48,9 +50,25 @@ public final class Frame {
         return new Frame(width, height, NO_PIXELS, new float[plane], new float[Math.multiplyExact(layers, plane)]);
     }
 
-    /** A frame of the same kind and width. */
+    /** A frame of the same kind and width, stopped by the same condition. */
     public Frame ofRows(int rows) {
-        return isLinear() ? ofRadiance(width, rows, layerCount()) : ofPixels(width, rows);
+        Frame part = isLinear() ? ofRadiance(width, rows, layerCount()) : ofPixels(width, rows);
+        part.stop = stop;
+        return part;
+    }
+
+    /**
+     * Sets when an engine stops to render into this frame before it is complete.
+     *
+     * @param condition asked often and by several threads; once true, it must stay true
+     */
+    public void stopWhen(BooleanSupplier condition) {
+        stop = condition;
+    }
+
+    /** Whether an engine that renders into this frame must stop. */
+    public boolean isToStop() {
+        return stop.getAsBoolean();
     }
 
     /** Copies the rows of a frame of the same kind and width to those from {@code firstRow} on. */

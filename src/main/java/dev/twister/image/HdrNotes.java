@@ -16,6 +16,8 @@ import java.util.regex.Pattern;
 final class HdrNotes {
     static final String VARIABLE = Provenance.NAME.toUpperCase(Locale.ROOT) + "=";
 
+    static final String DISPLAY = DisplaySettings.NAME.toUpperCase(Locale.ROOT) + "=";
+
     private static final String SOFTWARE = Provenance.SOFTWARE.toUpperCase(Locale.ROOT) + "=";
 
     /** The resolution line of Twister's files. */
@@ -36,17 +38,22 @@ final class HdrNotes {
                 DataInputStream in = new DataInputStream(new BufferedInputStream(bytes))) {
             String software = "";
             Optional<String> text = Optional.empty();
+            Optional<DisplaySettings> display = Optional.empty();
             String line = line(in);
             while (!line.isEmpty()) {
                 if (line.startsWith(SOFTWARE)) {
                     software = line.substring(SOFTWARE.length());
                 } else if (line.startsWith(VARIABLE)) {
                     text = Optional.of(line.substring(VARIABLE.length()));
+                } else if (line.startsWith(DISPLAY)) {
+                    display = DisplaySettings.of(line.substring(DISPLAY.length()));
                 }
                 line = line(in);
             }
             String made = software;
-            Optional<Provenance> provenance = text.flatMap(found -> Provenance.of(made, found));
+            Optional<DisplaySettings> shown = display;
+            Optional<Provenance> provenance =
+                    text.flatMap(found -> Provenance.of(made, found)).map(found -> found.withDisplay(shown));
             if (provenance.isPresent()) {
                 skipRows(in, line(in));
             }

@@ -29,7 +29,10 @@ public final class HdrWriter {
     /** As above, with the provenance in the header. */
     public static void write(Path file, int width, int height, float[] radiance, Provenance made) throws IOException {
         String lines = Provenance.SOFTWARE.toUpperCase(Locale.ROOT) + "=" + made.software() + "\n" + HdrNotes.VARIABLE
-                + made.text() + "\n";
+                + made.text() + "\n"
+                + made.display()
+                        .map(display -> HdrNotes.DISPLAY + display.text() + "\n")
+                        .orElse("");
         write(file, width, height, radiance, lines);
     }
 

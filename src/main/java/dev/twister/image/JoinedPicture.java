@@ -22,6 +22,7 @@ public final class JoinedPicture {
     private final int height;
     private final String software;
     private final String picture;
+    private final Optional<DisplaySettings> display;
     private final List<String> names;
     private final List<double[]> sums;
     private final List<List<Samples>> rows = new ArrayList<>();
@@ -48,6 +49,7 @@ public final class JoinedPicture {
         height = part.height();
         software = made.software();
         picture = made.picture();
+        display = made.display();
         names = part.channels().stream().map(ExrChannel::name).toList();
         sums = names.stream().map(_ -> new double[width * height]).toList();
         for (int row = 0; row < height; row++) {
@@ -81,6 +83,7 @@ public final class JoinedPicture {
         for (int row = part.firstRow(); row < part.firstRow() + part.rows(); row++) {
             addTo(rows.get(row), samples, row);
         }
+        checkSamples(file, part);
         int first = width * part.firstRow();
         int counted = names.indexOf(SAMPLES);
         for (int channel = 0; channel < sums.size(); channel++) {
@@ -91,6 +94,19 @@ public final class JoinedPicture {
                         ? samples.count()
                         : part.channels().get(counted).values()[i];
                 sum[first + i] += channel == counted ? weight : weight * values[i];
+            }
+        }
+    }
+
+    /** A mean needs samples. */
+    private void checkSamples(Path file, ExrPicture part) {
+        int counted = names.indexOf(SAMPLES);
+        if (counted >= 0) {
+            for (float count : part.channels().get(counted).values()) {
+                if (!(count > 0 && count <= Float.MAX_VALUE)) {
+                    throw new IllegalArgumentException(file + " has a pixel of " + count + " samples in the layer "
+                            + SAMPLES + "; expected 1 or more");
+                }
             }
         }
     }
@@ -131,7 +147,7 @@ public final class JoinedPicture {
                             sums.get(channel), channel == counted ? Optional.empty() : Optional.of(sums.get(counted)));
             channels.add(new ExrChannel(names.get(channel), values, 0, 1));
         }
-        Provenance made = new Provenance(software, picture, samples());
+        Provenance made = new Provenance(software, picture, samples(), display);
         return new ExrPicture(width, height, 0, height, channels, Optional.of(made));
     }
 

@@ -8,12 +8,23 @@ import java.util.Optional;
  * @param software program and version
  * @param picture digest of everything that the picture depends on, except its samples; one word
  * @param samples samples of each pixel, such as {@code 16} or {@code 0-15}
+ * @param display how linear radiance was to be shown; in .exr and .hdr files of colors
  */
-public record Provenance(String software, String picture, String samples) {
+public record Provenance(String software, String picture, String samples, Optional<DisplaySettings> display) {
     /** Metadata name of the digest and the samples; the software is stored as {@link #SOFTWARE}. */
     static final String NAME = "Twister";
 
     static final String SOFTWARE = "Software";
+
+    /** Without display settings. */
+    public Provenance(String software, String picture, String samples) {
+        this(software, picture, samples, Optional.empty());
+    }
+
+    /** The same with other display settings. */
+    public Provenance withDisplay(Optional<DisplaySettings> newDisplay) {
+        return new Provenance(software, picture, samples, newDisplay);
+    }
 
     String text() {
         return picture + " " + samples;

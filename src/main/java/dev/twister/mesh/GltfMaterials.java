@@ -8,6 +8,7 @@ import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sampler;
+import dev.twister.scene.SceneLimits;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.List;
@@ -100,16 +101,23 @@ final class GltfMaterials {
         };
     }
 
-    private static Emission emission(GltfPlace material) {
+    private Emission emission(GltfPlace material) {
         double[] factor = material.at("emissiveFactor").numbersOr(0, 0, 0);
         double strength = material.at("extensions")
                 .at("KHR_materials_emissive_strength")
                 .at("emissiveStrength")
                 .numberOr(1);
-        Rgb color = new Rgb(Math.max(factor[0], 0), Math.max(factor[1], 0), Math.max(factor[2], 0));
+        double limited = SceneLimits.EMISSION_STRENGTH.clamp(strength);
+        if (limited < strength) {
+            warnings.add("an emissiveStrength of " + strength + " is limited to " + limited);
+        }
+        Rgb color = new Rgb(
+                SceneLimits.RADIANCE.clamp(factor[0]),
+                SceneLimits.RADIANCE.clamp(factor[1]),
+                SceneLimits.RADIANCE.clamp(factor[2]));
         Emission emission = Emission.NONE
                 .withColor(color)
-                .withStrength(Math.max(strength, 0))
+                .withStrength(limited)
                 .withDoubleSided(material.at("doubleSided").isTrue());
         return emission.isNone() ? Emission.NONE : emission;
     }

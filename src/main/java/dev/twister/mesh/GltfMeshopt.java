@@ -46,8 +46,8 @@ final class GltfMeshopt {
         String mode = place.at("mode").text();
         return switch (mode) {
             case "ATTRIBUTES" -> attributes(place, compressed, count, stride);
-            case "TRIANGLES" -> numbers(MeshoptIndices.triangles(compressed, count), stride);
-            case "INDICES" -> numbers(MeshoptIndices.sequence(compressed, count), stride);
+            case "TRIANGLES" -> numbers(place, MeshoptIndices.triangles(compressed, count), stride);
+            case "INDICES" -> numbers(place, MeshoptIndices.sequence(compressed, count), stride);
             default ->
                 throw place.at("mode")
                         .failure("is " + Shown.text(mode) + "; expected ATTRIBUTES, TRIANGLES or INDICES");
@@ -79,7 +79,10 @@ final class GltfMeshopt {
         return elements;
     }
 
-    private static byte[] numbers(int[] numbers, int stride) {
+    private static byte[] numbers(GltfPlace place, int[] numbers, int stride) {
+        if (stride != Short.BYTES && stride != Integer.BYTES) {
+            throw place.at("byteStride").failure("is " + stride + "; expected 2 or 4 for indices");
+        }
         ByteBuffer bytes = ByteBuffer.allocate(stride * numbers.length).order(ByteOrder.LITTLE_ENDIAN);
         for (int number : numbers) {
             if (stride == Short.BYTES) {

@@ -5,6 +5,7 @@ import dev.twister.scene.Maps;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sampler;
+import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Wrap;
 import java.io.IOException;
 import java.math.BigDecimal;
@@ -94,7 +95,7 @@ final class MtlReader {
             }
             case "Tr" -> material.transparency = Optional.of(number());
             case "illum" -> material.illumination = text.integer("an illumination model from 0 to 10");
-            case "Ke" -> radiance().ifPresent(color -> material.emission = color);
+            case "Ke" -> radiance().ifPresent(color -> material.emission = emission(color));
             case "Pr" -> material.roughness = Optional.of(number());
             case "Pm" -> material.metallic = Optional.of(number());
             case "map_Kd" -> material.texture = texture(text.rest());
@@ -132,6 +133,14 @@ final class MtlReader {
         }
         double green = positive();
         return Optional.of(new Rgb(red, green, text.atLineEnd() ? green : positive()));
+    }
+
+    private Rgb emission(Rgb color) {
+        double most = SceneLimits.RADIANCE.max();
+        if (Math.max(color.red(), Math.max(color.green(), color.blue())) > most) {
+            warnings.add("material library: a Ke is limited to " + most);
+        }
+        return new Rgb(Math.min(color.red(), most), Math.min(color.green(), most), Math.min(color.blue(), most));
     }
 
     private double positive() throws IOException {

@@ -66,6 +66,7 @@ public final class BandedDrawing {
         Frame whole = linear
                 ? Frame.ofRadiance(input.width(), height, input.layers())
                 : Frame.ofPixels(input.width(), height);
+        whole.stopWhen(progress::isStopped);
         int rowsPerBand = rowsPerBand(input, sampling);
         float[] samples = new float[sampling.noise().isPresent() ? input.width() * height : 0];
         double noise = 0;

@@ -37,6 +37,8 @@ final class Cutout {
         int rows = input.rows();
         Frame colors = Frame.ofRadiance(width, rows);
         Frame bodies = Frame.ofRadiance(width, rows);
+        colors.stopWhen(progress::isStopped);
+        bodies.stopWhen(progress::isStopped);
         FrameInput shown = input.showing(Picture.BODY);
         Cutout cutout = new Cutout(width * rows);
         FrameTimes times = FrameTimes.NONE;

@@ -18,8 +18,9 @@ import java.util.stream.Stream;
  * @param picture with the denoised colors, and all other layers
  * @param guided whether the file has guides, or else views of albedo and normal
  * @param notFinite number of values that were not finite, and counted as 0
+ * @param kept number of values that the denoiser made not finite, and that stay as they were
  */
-public record DenoisedPicture(ExrPicture picture, boolean guided, long notFinite) {
+public record DenoisedPicture(ExrPicture picture, boolean guided, long notFinite, long kept) {
     /** Memory for denoising, in bytes per pixel, without the picture that was read. */
     public static final long BYTES_PER_PIXEL = 12L * Float.BYTES;
 
@@ -37,6 +38,12 @@ public record DenoisedPicture(ExrPicture picture, boolean guided, long notFinite
         Optional<Guides> guides = guides(picture);
         float[] denoised =
                 denoiser.denoise(new NoisyPicture(picture.width(), picture.height(), new Plane(noisy, 0), guides));
+        long kept = notFinite(denoised);
+        for (int i = 0; kept > 0 && i < denoised.length; i++) {
+            if (!Float.isFinite(denoised[i])) {
+                denoised[i] = Float.isFinite(noisy[i]) ? noisy[i] : 0;
+            }
+        }
         List<ExrChannel> channels = new ArrayList<>(picture.channels());
         channels.removeIf(channel ->
                 PictureLayers.COLORS.contains(channel.name()) || PictureLayers.NOISY.contains(channel.name()));
@@ -58,7 +65,8 @@ public record DenoisedPicture(ExrPicture picture, boolean guided, long notFinite
                         channels,
                         picture.provenance()),
                 guides.isPresent(),
-                notFinite);
+                notFinite,
+                kept);
     }
 
     /** The guides of denoising, or the views of the first surfaces. */

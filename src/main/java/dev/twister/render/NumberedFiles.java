@@ -33,6 +33,15 @@ public final class NumberedFiles {
     }
 
     /**
+     * Whether a file's name has a place for the number. A single # is part of a name where no frames are asked for.
+     */
+    public static boolean hasPlace(Path file) {
+        return PLACE.matcher(file.getFileName().toString())
+                .results()
+                .anyMatch(place -> !place.group().equals("#"));
+    }
+
+    /**
      * File names of a range of frames. A frame has the same name in every range of the film.
      *
      * @param file with an ending

@@ -50,7 +50,8 @@ final class PictureDrawing implements AutoCloseable {
                 digest.of(
                         whole.withSamples(0, 1),
                         software + " " + drawn + order.finishing().text()),
-                order.part().samplesText().orElse(order.sampling().text()));
+                order.part().samplesText().orElse(order.sampling().text()),
+                order.pictures().getFirst().isColor() ? Optional.of(FileDisplay.of(whole)) : Optional.empty());
     }
 
     /** Renders the order's pictures of a frame, or the part of them that it asks for. */

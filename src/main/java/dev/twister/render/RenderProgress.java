@@ -39,6 +39,14 @@ public interface RenderProgress {
      */
     default void replacing(Path file, String why) {}
 
+    /**
+     * Whether the rendering is to end soon, by a {@link dev.twister.image.RenderStoppedException}. Asked by several
+     * threads while a picture is rendered; once true, it must stay true.
+     */
+    default boolean isStopped() {
+        return false;
+    }
+
     /** A frame is rendered, or kept; it may not be written yet. */
     default void frame() {}
 }

@@ -156,7 +156,10 @@ public final class Renderer {
             return false;
         }
         try {
-            if (PictureNotes.of(file, part.firstRow(), part.rows()).equals(Optional.of(made))) {
+            Optional<Provenance> found = PictureNotes.of(file, part.firstRow(), part.rows());
+            // The digest covers the display settings, which not all formats have.
+            if (found.filter(kept -> kept.withDisplay(made.display()).equals(made))
+                    .isPresent()) {
                 return true;
             }
             progress.replacing(file, "differs in its scene, settings or version");

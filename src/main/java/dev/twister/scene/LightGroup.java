@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import java.util.Map;
+
 /**
  * Names of the groups of lights whose light can be kept apart. Lights, bodies that emit and the sky are in groups of
  * their own unless they name another one.
@@ -16,6 +18,10 @@ public final class LightGroup {
 
     /** Without path tracing, what ambient light adds. */
     public static final String AMBIENT = "ambient";
+
+    /** The names above, and whose light their layers hold. */
+    public static final Map<String, String> RESERVED =
+            Map.of(SKY, "the sky", LIGHTS, "other lights", EMITTERS, "other bodies that emit", AMBIENT, "ambient light");
 
     public static final int MAX_NAME_LENGTH = 20;
 

@@ -3,11 +3,10 @@ package dev.twister.sky;
 import java.io.IOException;
 import java.util.function.Consumer;
 
-/** The ordinary image formats that a panorama may come in. */
+/** The image formats that Java's own decoders read. */
 enum OrdinaryImageFormat {
     PNG,
-    JPEG,
-    WEBP;
+    JPEG;
 
     private static final String PNG_START = "\u0089PNG\r\n\u001a\n";
     private static final String JPEG_START = "\u00ff\u00d8\u00ff";
@@ -17,7 +16,6 @@ enum OrdinaryImageFormat {
         return switch (this) {
             case PNG -> file.startsWith(PNG_START);
             case JPEG -> file.startsWith(JPEG_START);
-            case WEBP -> WebpFile.startsIn(file);
         };
     }
 
@@ -30,7 +28,6 @@ enum OrdinaryImageFormat {
         return switch (this) {
             case PNG -> new PngFile(file, warnings);
             case JPEG -> new JpegFile(file, warnings);
-            case WEBP -> new WebpFile(file, warnings);
         };
     }
 }

@@ -13,7 +13,7 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 
-/** Reads PNG and JPEG images through ImageIO, and WebP where a plugin for it is on the class path. */
+/** Reads PNG and JPEG images through ImageIO. */
 final class OrdinaryImageReader {
     /** What a decoder is asked for. */
     private interface Step<T> {

@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Reads panoramas: Radiance pictures ({@code .hdr}, {@code .pic}), PNG, JPEG and WebP, told apart by their first bytes,
- * whatever their names end in.
+ * Reads panoramas: Radiance pictures ({@code .hdr}, {@code .pic}), OpenEXR, PNG, JPEG and WebP, told apart by their
+ * first bytes, whatever their names end in.
  */
 public final class SkyboxReader {
     /** What a file's bytes are made a picture by. */
@@ -33,9 +33,9 @@ public final class SkyboxReader {
     }
 
     /**
-     * Reads a panorama of at most 16384 x 8192 texels from a file of at most 1 GiB. Radiance pictures keep radiance
-     * above 1. PNG, JPEG and WebP are made linear, 0 to 1, by what they say of their colors, as sRGB where they say
-     * nothing, over black where they are transparent, and turned upright by their EXIF orientation.
+     * Reads a panorama of at most 16384 x 8192 texels from a file of at most 1 GiB. Radiance and OpenEXR pictures keep
+     * radiance above 1. PNG, JPEG and WebP are made linear, 0 to 1, by what they say of their colors, as sRGB where
+     * they say nothing, over black where they are transparent, and turned upright by their EXIF orientation.
      *
      * @param file a file of the default file system
      * @param warnings told of what the file says and is not used; one line each that names the file
@@ -70,9 +70,12 @@ public final class SkyboxReader {
         if (RadianceHeader.startsIn(file)) {
             return RadianceReader.read(file);
         }
+        if (ExrPanorama.startsIn(file)) {
+            return ExrPanorama.read(file, warnings);
+        }
         Optional<Skybox> ordinary = decodeOrdinary(file, LinearImage::skybox, warnings);
         if (ordinary.isEmpty()) {
-            throw unknown(file, "panorama", "Radiance, PNG, JPEG and WebP");
+            throw unknown(file, "panorama", "Radiance, OpenEXR, PNG, JPEG and WebP");
         }
         return ordinary.get();
     }
@@ -81,6 +84,9 @@ public final class SkyboxReader {
     static <T> Optional<T> decodeOrdinary(
             FileBytes file, OrdinaryImageReader.Conversion<T> conversion, Consumer<String> warnings)
             throws IOException {
+        if (WebpFile.startsIn(file)) {
+            return Optional.of(WebpFile.read(file, conversion, warnings));
+        }
         for (OrdinaryImageFormat format : OrdinaryImageFormat.values()) {
             if (format.startsIn(file)) {
                 return Optional.of(OrdinaryImageReader.read(file, format, conversion, warnings));

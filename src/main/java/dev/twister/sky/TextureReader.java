@@ -11,7 +11,7 @@ public final class TextureReader {
 
     /**
      * Reads a texture as {@link SkyboxReader#read(Path, Consumer)} reads panoramas, with the same limits, but keeps its
-     * opacity apart. Radiance pictures are refused: what a color is multiplied by is at most 1.
+     * opacity apart. Radiance and OpenEXR pictures are refused: what a color is multiplied by is at most 1.
      *
      * @param file a file of the default file system
      * @param warnings told of what the file says and is not used; one line each that names the file
@@ -38,6 +38,9 @@ public final class TextureReader {
     private static TextureImage decode(FileBytes file, Consumer<String> warnings) throws IOException {
         if (RadianceHeader.startsIn(file)) {
             throw new IOException("a Radiance picture, but a texture must be PNG, JPEG or WebP");
+        }
+        if (ExrPanorama.startsIn(file)) {
+            throw new IOException("an OpenEXR picture, but a texture must be PNG, JPEG or WebP");
         }
         Optional<TextureImage> ordinary = SkyboxReader.decodeOrdinary(file, LinearImage::texture, warnings);
         if (ordinary.isEmpty()) {

@@ -7,9 +7,12 @@ import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** A scene at a time of its film. */
 public final class Animation {
+    private static final double LOOP_TOLERANCE = 1e-9;
+
     private Animation() {}
 
     /** Whether anything moves by keyframes. */
@@ -25,6 +28,32 @@ public final class Animation {
         return scene.tracks().stream()
                 .mapToDouble(track -> track.keyframes().getLast().seconds())
                 .reduce(camera, Math::max);
+    }
+
+    /**
+     * The number of frames of the whole film: up to the last keyframe, or, in a film that loops, up to the frame before
+     * it shows its first picture again.
+     *
+     * @param rate frames per second
+     */
+    public static int frames(Scene scene, double rate) {
+        double steps = length(scene) * rate;
+        return loops(scene) ? Math.max(1, (int) Math.ceil(steps - LOOP_TOLERANCE)) : (int) Math.round(steps) + 1;
+    }
+
+    /** Whether a track loops, and at the time of the last keyframe everything is as at the start. */
+    private static boolean loops(Scene scene) {
+        double end = length(scene);
+        return scene.tracks().stream().anyMatch(Track::loop)
+                && scene.tracks().stream()
+                        .allMatch(track -> areEqual(TrackCurve.at(track, 0), TrackCurve.at(track, end)))
+                && CameraPath.at(scene.camera(), 0).equals(CameraPath.at(scene.camera(), end));
+    }
+
+    /** Equal up to the rounding of a time after several turns. */
+    private static boolean areEqual(List<Double> start, List<Double> end) {
+        return IntStream.range(0, start.size())
+                .allMatch(i -> Math.abs(start.get(i) - end.get(i)) <= LOOP_TOLERANCE * (1 + Math.abs(start.get(i))));
     }
 
     /**

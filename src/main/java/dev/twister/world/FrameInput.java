@@ -4,6 +4,7 @@ import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Guides;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
+import dev.twister.scene.ToneMap;
 import java.util.Arrays;
 
 /**
@@ -78,6 +79,19 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
     /** Which aspect of the picture is rendered: a constant of {@link Aspect}. */
     public int aspect() {
         return view.aspect();
+    }
+
+    /** In stops: radiance is multiplied by 2^exposure. */
+    public double exposure() {
+        float scale = view.frame()[Layout.EXPOSURE_SCALE];
+        double stops = Math.log(scale) / Math.log(2);
+        double rounded = Math.rint(1e6 * stops) / 1e6;
+        return (float) Math.pow(2, rounded) == scale ? rounded : stops;
+    }
+
+    @SuppressWarnings("EnumOrdinal") // a test checks that the kernel's numbers match the constants' order
+    public ToneMap toneMap() {
+        return ToneMap.values()[(int) view.frame()[Layout.TONE_MAP]];
     }
 
     /** Whether 8-bit pixels are sRGB-encoded. */

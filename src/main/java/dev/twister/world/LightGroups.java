@@ -8,6 +8,7 @@ import dev.twister.scene.Light;
 import dev.twister.scene.LightGroup;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneException;
 import dev.twister.scene.Sphere;
 import java.util.List;
 
@@ -22,6 +23,7 @@ public record LightGroups(List<String> names, float[] layers) {
     /**
      * The groups of a scene.
      *
+     * @throws SceneException if a light or an emitting body names the group of other light, such as the sky's
      * @throws IllegalArgumentException if there are more than {@link Layout#MOST_LIGHT_LAYERS}
      */
     static LightGroups of(Scene scene, List<MeshBody> meshes) {
@@ -50,13 +52,21 @@ public record LightGroups(List<String> names, float[] layers) {
     }
 
     private static String group(Light light) {
-        return light.group().equals(LightGroup.NONE) ? LightGroup.LIGHTS : light.group();
+        return named(light.group(), LightGroup.LIGHTS);
     }
 
     private static void putEmitter(GroupNumbers numbers, int body, Material material) {
         Emission emission = material.emission();
         if (!emission.isNone() || material.unlit()) {
-            numbers.put(body, emission.group().equals(LightGroup.NONE) ? LightGroup.EMITTERS : emission.group());
+            numbers.put(body, named(emission.group(), LightGroup.EMITTERS));
         }
+    }
+
+    private static String named(String group, String usual) {
+        if (!group.equals(usual) && LightGroup.RESERVED.containsKey(group)) {
+            throw new SceneException("lightGroup is '" + group + "', which is the light layer of "
+                    + LightGroup.RESERVED.get(group) + "; give the group another name");
+        }
+        return group.equals(LightGroup.NONE) ? usual : group;
     }
 }

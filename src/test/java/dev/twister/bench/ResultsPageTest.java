@@ -62,6 +62,18 @@ class ResultsPageTest {
     }
 
     @Test
+    void resultsThatHoldMoreThanNumbersAreRefusedWithTheirLine() {
+        for (String more : List.of("\"samplesPerPixel\":{}", "\"shadowSamples\":[1]", "\"engine\":{\"a\":1}")) {
+            assertThatThrownBy(() -> page(
+                            report("A", same("vector", 64, 36, 9)),
+                            report("B", row("vector", 64, 36, 8, "," + more + ",\"samePicture\":true"))))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContaining("results.jsonl: line 2: result 1: ")
+                    .hasMessageContaining("must be a number or a text, but is ");
+        }
+    }
+
+    @Test
     void resultsWithAnotherPictureOrNoneAreRefused() throws IOException {
         ResultsPage.Written written = page(report(
                 "A",

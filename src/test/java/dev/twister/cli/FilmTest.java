@@ -285,6 +285,33 @@ class FilmTest {
     }
 
     @Test
+    void numberedFramesOfKeyframesAreTheWholeFilm() {
+        assertThat(renderScene("juggling", "n-####.png", "--fps", "1").out()).contains("5 frames");
+        assertThat(renderScene("juggling", "n-####.png", "--fps", "1", "--skip-existing")
+                        .out())
+                .contains("5 frames", "5 kept");
+        assertThat(renderScene("juggling", "rate.png", "--fps", "0.5").out()).contains("3 frames");
+        assertThat(renderScene("juggling", "still.png").out()).contains("still.png: 32 x 18");
+
+        assertThat(folder.toFile().list()).hasSize(9).contains("n-0004.png", "rate-0002.png", "still.png");
+    }
+
+    @Test
+    void namesOfNumberedFramesAreNoNamesOfPictures() {
+        String output = folder.resolve("x-####.png").toString();
+
+        assertThat(List.of(
+                        Outcome.of("render", "teaching", "-o", output),
+                        Outcome.of("render", "juggling", "-o", output, "--time", "1"),
+                        Outcome.of("render", "pour-1000", "-o", output, "--physics")))
+                .allSatisfy(outcome -> {
+                    assertThat(outcome.exitCode()).isEqualTo(2);
+                    assertThat(outcome.err()).contains(output + ", a name of numbered frames").hasLineCount(1);
+                });
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
     void aTimeNeedsKeyframes() {
         Path file = folder.resolve("x.png");
 

@@ -6,14 +6,18 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.denoise.FakeDenoiser;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
+import java.io.File;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** {@code render --light-layers}, and {@code join --light} on what it writes. */
 class JoinLightsTest {
@@ -75,6 +79,28 @@ class JoinLightsTest {
 
         assertThat(outcome.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(outcome.err()).contains(message);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"sky", "ambient", "emitters"})
+    void aGroupOfLightsWithTheNameOfOtherLightIsRefused(String name) throws IOException {
+        Path scene = Files.writeString(
+                folder.resolve("named.json"),
+                Files.readString(Path.of("scenes", "teaching.json"))
+                        .replace("\"version\": 1", "\"version\": 3")
+                        .replace("\"light\": {", "\"light\": {\"lightGroup\": \"" + name + "\", ")
+                        .replace(
+                                "../skyboxes",
+                                new File("skyboxes").getAbsolutePath().replace('\\', '/')));
+        String[] plain = {"render", scene.toString(), "--size", "4x4", "--engine", "sequential", "-o", file("a.exr")};
+        String[] layered = Stream.concat(Stream.of(plain), Stream.of("--light-layers"))
+                .toArray(String[]::new);
+
+        assertThat(Outcome.of(plain).exitCode()).isZero();
+        assertThat(Outcome.of(layered).exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(Outcome.of(layered).err())
+                .startsWith("twister: lightGroup is '" + name + "'")
+                .hasLineCount(1);
     }
 
     @Test

@@ -64,6 +64,23 @@ class LibraryPlacesTest {
         assertThat(places(environment, LINUX).files()).contains(library);
     }
 
+    /** Windows would look in the current folder, beside a scene of someone else. */
+    @Test
+    void onWindowsOnlyAbsolutePlacesAreTried() {
+        assertThat(places(Map.of(), "Windows 11").names()).isEmpty();
+        assertThat(places(Map.of(), LINUX).names()).isNotEmpty();
+    }
+
+    @Test
+    void placesThatDependOnTheCurrentFolderAreNotTried() throws IOException {
+        Path here = Path.of("").toAbsolutePath();
+        library("oidn/lib");
+        Map<String, String> environment =
+                Map.of("TWISTER_HOME", here.relativize(folder.toAbsolutePath()).toString(), "LD_LIBRARY_PATH", ".");
+
+        assertThat(places(environment, LINUX).files()).noneMatch(file -> file.startsWith(folder));
+    }
+
     @Test
     void aPathThatCannotBeIsIgnored() {
         assertThat(places(Map.of(LibraryPlaces.VARIABLE, "\0"), LINUX).files()).isEmpty();

@@ -70,6 +70,33 @@ class OidnProviderTest {
     }
 
     @Test
+    void endsTheProcessesThatALibraryStarts() throws IOException, InterruptedException {
+        Path file = compiled("int fork(void); void abort(void); unsigned sleep(unsigned);"
+                + " __attribute__((constructor)) static void hang() { if (fork() == 0) for (;;) sleep(1); abort(); }");
+
+        assertThat(LibraryProbe.of(file.toString(), 20).obstacle().orElseThrow())
+                .startsWith("ended the process that tried it (exit code ");
+        assertThat(ProcessHandle.allProcesses().filter(other -> isOf(file, other)))
+                .allSatisfy(left -> left.onExit().get(10, TimeUnit.SECONDS));
+    }
+
+    @Test
+    void survivesALibraryThatPrintsWithoutEnd() throws IOException, InterruptedException {
+        Path file = compiled("int puts(const char*); __attribute__((constructor)) static void flood()"
+                + " { for (;;) puts(\"works: 2.0\"); }");
+
+        assertThat(LibraryProbe.of(file.toString(), 2).obstacle())
+                .contains("did not denoise a small picture within 2 s");
+    }
+
+    private static boolean isOf(Path library, ProcessHandle process) {
+        return process.info()
+                .commandLine()
+                .filter(line -> line.contains(library.toString()))
+                .isPresent();
+    }
+
+    @Test
     void openingWhatDoesNotWorkTellsWhy() {
         DenoiserOffer offer = DenoiserOffer.impossible("library", "it is too old");
 

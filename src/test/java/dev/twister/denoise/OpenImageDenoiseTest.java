@@ -43,8 +43,20 @@ class OpenImageDenoiseTest {
     }
 
     @Test
+    void noiseOfGuidesIsRemovedFirst() {
+        float[] unguided;
+        float[] guided;
+        try (Denoiser denoiser = LibraryProbe.open(library.orElseThrow())) {
+            unguided = denoiser.denoise(picture());
+            guided = denoiser.denoise(noisilyGuided());
+        }
+
+        assertThat(error(guided)).isLessThan(1.1 * error(unguided));
+    }
+
+    @Test
     void bandsHaveNoSeams() {
-        NoisyPicture noisy = picture();
+        NoisyPicture noisy = noisilyGuided();
         float[] whole;
         float[] banded;
         try (Denoiser denoiser = LibraryProbe.open(library.orElseThrow())) {
@@ -87,6 +99,21 @@ class OpenImageDenoiseTest {
             radiance[pixel + 2] = value;
         }
         return new NoisyPicture(WIDTH, HEIGHT, new Plane(radiance, 0), Optional.empty());
+    }
+
+    /** As above, with guides that are noisy too, and independent of the picture. */
+    private static NoisyPicture noisilyGuided() {
+        Random random = new Random(2);
+        float[] guides = new float[2 * 3 * WIDTH * HEIGHT];
+        for (int i = 0; i < guides.length; i++) {
+            guides[i] = 0.5f + 0.15f * (float) random.nextGaussian();
+        }
+        NoisyPicture noisy = picture();
+        return new NoisyPicture(
+                WIDTH,
+                HEIGHT,
+                noisy.radiance(),
+                Optional.of(new NoisyPicture.Guides(new Plane(guides, 0), new Plane(guides, guides.length / 2))));
     }
 
     private static double error(float[] values) {

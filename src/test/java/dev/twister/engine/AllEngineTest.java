@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.image.Frame;
+import dev.twister.image.FrameStop;
+import dev.twister.image.RenderStoppedException;
 import dev.twister.oracle.ShippedScenes;
 import dev.twister.world.FrameInput;
 import java.util.ArrayList;
@@ -113,6 +115,45 @@ class AllEngineTest {
             assertThatThrownBy(() -> all.render(input(160, 160), Frame.ofPixels(160, 160)))
                     .isInstanceOf(EngineException.class)
                     .hasMessage("the device is lost");
+        }
+    }
+
+    @Test
+    void anInterruptOfTheCallerStopsAllEngines() {
+        Engine interrupting = new Interrupting(Thread.currentThread());
+        Frame frame = Frame.ofPixels(160, 160);
+        try (Engine all = together(interrupting)) {
+            assertThatThrownBy(() -> all.render(input(160, 160), frame)).isInstanceOf(RenderStoppedException.class);
+        } finally {
+            assertThat(Thread.interrupted()).isTrue();
+        }
+    }
+
+    /** Interrupts the thread that waits for it, and renders until it is stopped. */
+    private record Interrupting(Thread caller) implements Engine {
+        @Override
+        public String id() {
+            return "interrupting";
+        }
+
+        @Override
+        public String device() {
+            return "a test";
+        }
+
+        @Override
+        public void render(FrameInput input, Frame frame) {
+            caller.interrupt();
+            FrameStop stop = FrameStop.of(frame);
+            while (!stop.isAsked()) {
+                Thread.onSpinWait();
+            }
+            stop.check();
+        }
+
+        @Override
+        public void close() {
+            // It holds nothing.
         }
     }
 

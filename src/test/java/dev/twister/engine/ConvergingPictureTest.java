@@ -126,10 +126,26 @@ class ConvergingPictureTest {
                 .allMatch(part -> part > 0 && part < 1);
     }
 
+    /** Without a clamp one sample can find more light than all the others. */
+    @Test
+    void moreSamplesAreNeededWithoutAClamp() {
+        assertThat(leastSamples(traced())).isBetween(16, 31);
+        assertThat(leastSamples(traced(0))).isGreaterThanOrEqualTo(32);
+    }
+
+    private static int leastSamples(FrameInput input) {
+        Frame frame = Frame.ofPixels(input.width(), input.height());
+        return Arrays.stream(converged(input, frame, 0.2).samplesOfTile()).min().orElseThrow();
+    }
+
     private static FrameInput traced() {
+        return traced(10);
+    }
+
+    private static FrameInput traced(double clamp) {
         LitScene small = ShippedScenes.small("weekend");
         World world = World.of(small.scene(), small.images());
-        world.setSettings(small.scene().rendering().withSize(48, 27));
+        world.setSettings(small.scene().rendering().withSize(48, 27).withClamp(clamp));
         return world.snapshot();
     }
 

@@ -1,6 +1,7 @@
 package dev.twister.gui;
 
 import dev.twister.engine.Engine;
+import dev.twister.image.FrameStop;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.engine.JvmKernel;
@@ -52,7 +53,7 @@ final class BlockEngine implements Engine {
         int layers = frame.layerCount();
         int endRow = Math.min(firstRow + SIDE, frame.height());
         for (int column = 0; column < width; column += SIDE) {
-            kernel.drawRow(input, frame, firstRow, column, column + 1);
+            kernel.drawRow(input, FrameStop.of(frame), firstRow, column, column + 1);
             int drawn = width * firstRow + column;
             int columns = Math.min(SIDE, width - column);
             for (int row = firstRow; row < endRow; row++) {

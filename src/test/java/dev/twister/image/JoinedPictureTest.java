@@ -1,11 +1,14 @@
 package dev.twister.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class JoinedPictureTest {
     /** 3 samples of 1 and 9 of 5 are 12 samples of 4. */
@@ -21,6 +24,29 @@ class JoinedPictureTest {
 
         assertThat(values(whole, "R")).containsExactly(4, 4);
         assertThat(values(whole, JoinedPicture.SAMPLES)).containsExactly(12, 12);
+    }
+
+    @ParameterizedTest
+    @ValueSource(floats = {0, -1, Float.NaN, Float.POSITIVE_INFINITY})
+    void pixelsWithoutSamplesAreRefused(float samples) {
+        ExrPicture part = part("0-15", 1, samples);
+        JoinedPicture joined = new JoinedPicture(Path.of("a.exr"), part, List.of(new ExrExtent(2, 1, 0, 1)));
+
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> joined.add(Path.of("a.exr"), part))
+                .withMessage("a.exr has a pixel of " + samples + " samples in the layer samples.Y; expected 1 or more");
+    }
+
+    @Test
+    void theDisplaySettingsStay() {
+        Optional<DisplaySettings> display = Optional.of(new DisplaySettings(1.5, "aces", false));
+        ExrPicture plain = part("0-15", 1, 1);
+        ExrPicture part =
+                new ExrPicture(2, 1, 0, 1, plain.channels(), plain.provenance().map(made -> made.withDisplay(display)));
+        JoinedPicture joined = new JoinedPicture(Path.of("a.exr"), part, List.of(new ExrExtent(2, 1, 0, 1)));
+        joined.add(Path.of("a.exr"), part);
+
+        assertThat(joined.whole().provenance().orElseThrow().display()).isEqualTo(display);
     }
 
     private static float[] values(ExrPicture picture, String name) {

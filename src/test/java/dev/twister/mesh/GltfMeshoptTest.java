@@ -73,6 +73,22 @@ class GltfMeshoptTest {
                 .hasMessageContaining("is 40000000, too many for 100 bytes");
     }
 
+    @Test
+    void indicesOfAnotherSizeAreRefused() {
+        JsonNode triangles = JsonNodeFactory.instance
+                .objectNode()
+                .put("mode", "TRIANGLES")
+                .put("count", 0)
+                .put("byteStride", 3);
+        byte[] none = new byte[17];
+        none[0] = (byte) 0xe1;
+
+        assertThatThrownBy(() -> GltfMeshopt.decode(GltfPlace.root("a.glb", triangles), none))
+                .isInstanceOf(MeshException.class)
+                .hasMessageContaining("byteStride")
+                .hasMessageContaining("is 3; expected 2 or 4 for indices");
+    }
+
     private static void assertMeshExceptionAtMost(ThrowingCallable decoding) {
         try {
             decoding.call();

@@ -110,6 +110,18 @@ class GltfReaderTest {
     }
 
     @Test
+    void emissionIsLimitedAsInSceneFiles() {
+        MeshFile file = read(
+                "{\"attributes\":{\"POSITION\":0},\"material\":0}",
+                "\"materials\":[{\"emissiveFactor\":[1,1e300,0],\"extensions\":"
+                        + "{\"KHR_materials_emissive_strength\":{\"emissiveStrength\":1e300}}}],");
+
+        assertThat(file.parts().getFirst().material().emission().strength()).isEqualTo(1e6);
+        assertThat(file.parts().getFirst().material().emission().color()).isEqualTo(new Rgb(1, 1e6, 0));
+        assertThat(warnings).anyMatch(warning -> warning.contains("emissiveStrength of 1.0E300 is limited to 1000000"));
+    }
+
+    @Test
     void materials() {
         MeshFile file = read(
                 "{\"attributes\":{\"POSITION\":0},\"material\":0},{\"attributes\":{\"POSITION\":0},\"material\":1},"

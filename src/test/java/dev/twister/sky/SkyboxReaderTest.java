@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.image.ExrChannel;
+import dev.twister.image.ExrWriter;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
 import java.awt.Transparency;
@@ -17,6 +19,7 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
@@ -147,9 +150,29 @@ class SkyboxReaderTest {
         assertThatThrownBy(() -> SkyboxReader.read(folder)).hasMessage(folder + ": is a folder, but must be a file");
         Path empty = Files.write(folder.resolve("empty.hdr"), new byte[0]);
         assertThatThrownBy(() -> SkyboxReader.read(empty))
-                .hasMessage(empty + ": an empty file; Radiance, PNG, JPEG and WebP are read");
+                .hasMessage(empty + ": an empty file; Radiance, OpenEXR, PNG, JPEG and WebP are read");
         Path text = Files.writeString(folder.resolve("text.hdr"), "hello");
         assertThatThrownBy(() -> SkyboxReader.read(text)).hasMessageContaining("not a panorama by its first bytes");
+    }
+
+    @Test
+    void readsOpenExr() throws IOException {
+        Path exr = folder.resolve("sky.exr");
+        ExrWriter.write(
+                exr,
+                2,
+                1,
+                List.of(
+                        new ExrChannel("sky.R", new float[] {7, Float.NaN}, 0, 1),
+                        new ExrChannel("sky.G", new float[] {0.25f, -1}, 0, 1),
+                        new ExrChannel("sky.B", new float[] {0, Float.POSITIVE_INFINITY}, 0, 1)));
+        List<String> warnings = new ArrayList<>();
+
+        Skybox sky = SkyboxReader.read(exr, warnings::add);
+
+        assertThat(sky.width()).isEqualTo(2);
+        assertThat(sky.radiance()).containsExactly(7, 0.25f, 0, 0, 0, 0);
+        assertThat(warnings).containsExactly(exr + ": 3 values are negative or not finite and count as 0");
     }
 
     @Test

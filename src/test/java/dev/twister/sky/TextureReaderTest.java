@@ -6,8 +6,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.Base64;
+import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 
@@ -46,6 +48,35 @@ class TextureReaderTest {
         assertThat(texture.width()).isEqualTo(8);
         assertThat(texture.value(7, 0)).isGreaterThan(220);
         assertThat(texture.value(7, 1)).isLessThan(10);
+    }
+
+    @Test
+    void keepsTheAlphaAndTheClearColorsOfWebp() throws IOException {
+        for (String name : List.of("plain-alpha", "prediction")) {
+            byte[] webp = resource("/webp/" + name + ".webp");
+
+            PackedImage texture = (PackedImage) TextureReader.read(Path.of(name), webp, _ -> {});
+
+            PackedImage png =
+                    (PackedImage) TextureReader.read(Path.of(name), resource("/webp/" + name + ".png"), _ -> {});
+            assertThat(texture.isOpaque()).isFalse();
+            assertThat(texture.texels()).isEqualTo(png.texels());
+        }
+    }
+
+    @Test
+    void refusesMoreTexelsThanFewBytesMayHave() {
+        byte[] wide = Base64.getDecoder().decode("UklGRh4AAABXRUJQVlA4TBEAAAAv/r//BwdQ5CrUo/+BiOh/AAA=");
+
+        assertThatThrownBy(() -> TextureReader.read(Path.of("wide.webp"), wide, _ -> {}))
+                .hasMessageStartingWith("wide.webp: ")
+                .hasMessageContaining("texels");
+    }
+
+    private static byte[] resource(String name) throws IOException {
+        try (InputStream file = TextureReaderTest.class.getResourceAsStream(name)) {
+            return file.readAllBytes();
+        }
     }
 
     @Test

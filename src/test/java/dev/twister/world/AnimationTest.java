@@ -134,6 +134,34 @@ class AnimationTest {
                 .isEqualTo(5);
     }
 
+    @Test
+    void aFilmThatLoopsDoesNotShowItsFirstPictureTwice() {
+        Track turning = Track.of(
+                        TrackTarget.sphere(0),
+                        "position",
+                        Keyframe.of(0, new Vector3(-2, 0, 0)),
+                        Keyframe.of(0.5, new Vector3(2, 0, 0)))
+                .withLoop(true);
+        Track thrice = RISING.withLoop(true)
+                .withKeyframes(List.of(
+                        RISING.keyframes().getFirst().withSeconds(0),
+                        RISING.keyframes().getLast().withSeconds(0.1)));
+        Track rising = RISING.withKeyframes(List.of(
+                RISING.keyframes().getFirst().withSeconds(0),
+                RISING.keyframes().getLast().withSeconds(0.5)));
+
+        assertThat(framesOfTracks(10, turning)).isEqualTo(5);
+        assertThat(framesOfTracks(25, turning)).isEqualTo(13);
+        assertThat(framesOfTracks(60, turning, thrice)).isEqualTo(30);
+        assertThat(framesOfTracks(10, turning.withLoop(false))).isEqualTo(6);
+        assertThat(framesOfTracks(10, turning, rising)).isEqualTo(6);
+    }
+
+    private static int framesOfTracks(double rate, Track... tracks) {
+        return Animation.frames(
+                SCENE.withCamera(SCENE.camera().withKeyframes(List.of())).withTracks(List.of(tracks)), rate);
+    }
+
     private static Scene with(Track track) {
         return SCENE.withTracks(List.of(track));
     }

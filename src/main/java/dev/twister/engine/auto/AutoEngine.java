@@ -52,7 +52,7 @@ final class AutoEngine implements Engine {
             // Not before the first frame, which may be the only one.
             successor.follow(input);
             double samples = (double) frame.width() * frame.height() * input.samplesPerPixel();
-            successor.mustBeat(frame.times().totalNanos(), samples);
+            successor.mustBeat(frame.times().effortNanos(), samples);
         }
     }
 

@@ -3,6 +3,7 @@ package dev.twister.engine.auto;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.SettlingFrames;
+import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import java.time.Duration;
 import java.util.Arrays;
@@ -82,6 +83,9 @@ final class Successor implements AutoCloseable {
      * @param input the input of the current engine's frame
      */
     synchronized void follow(FrameInput input) {
+        if (newest.filter(old -> !Rows.of(old).equals(Rows.of(input))).isPresent()) {
+            framesToBeat = 0;
+        }
         if (newest.filter(old -> !Work.of(old).equals(Work.of(input))).isPresent()) {
             framesToBeat = 0;
             drawnNanos = 0;
@@ -94,7 +98,7 @@ final class Successor implements AutoCloseable {
         }
     }
 
-    /** Records a frame's time, in nanoseconds, and its number of pixel samples. */
+    /** Records a frame's time, see {@link FrameTimes#effortNanos}, and its number of pixel samples. */
     synchronized void mustBeat(long nanos, double samples) {
         nanosToBeat[(int) (framesToBeat % FRAMES_TO_BEAT)] = nanos / samples;
         framesToBeat++;
@@ -186,6 +190,7 @@ final class Successor implements AutoCloseable {
                     again = false;
                     trial = new Trial(engine, now);
                 }
+                trial.look(now);
                 warm = isBeatenBy(trial.draw(), trial.frames.areSettled());
             }
         } finally {
@@ -240,18 +245,43 @@ final class Successor implements AutoCloseable {
         }
     }
 
+    /** The rows of a picture that is rendered in bands: of the sky alone they take less than others. */
+    private record Rows(int first, int count, int height) {
+        static Rows of(FrameInput input) {
+            return new Rows(input.firstRow(), input.rows(), input.height());
+        }
+    }
+
     /** Small frames of one input. */
     private static final class Trial {
+        private final Engine engine;
         private final Work work;
-        private final SettlingFrames frames;
-        private final double samples;
+        private Rows rows;
+        private SettlingFrames frames;
+        private double samples;
         private long spentNanos;
 
         Trial(Engine engine, FrameInput input) {
+            this.engine = engine;
+            work = Work.of(input);
+            turnTo(input);
+        }
+
+        /** Renders the rows of the current engine's latest frame from now on. */
+        void look(FrameInput input) {
+            if (!Rows.of(input).equals(rows)) {
+                turnTo(input);
+            }
+        }
+
+        private void turnTo(FrameInput input) {
             // One sample per pixel: the time per sample is the same, and a trial of many would take as long as the
             // frame.
-            FrameInput small = SettlingFrames.small(input).withSamples(0, 1);
-            work = Work.of(input);
+            FrameInput whole = SettlingFrames.small(input).withSamples(0, 1);
+            int first = (int) ((long) input.firstRow() * whole.height() / input.height());
+            int count = (int) Math.ceilDiv((long) input.rows() * whole.height(), input.height());
+            FrameInput small = whole.band(first, Math.min(count, whole.height() - first));
+            rows = Rows.of(input);
             frames = new SettlingFrames(engine, small);
             samples = (double) small.width() * small.rows() * small.samplesPerPixel();
         }

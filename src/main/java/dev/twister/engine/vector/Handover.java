@@ -121,7 +121,7 @@ final class Handover {
         int right = Math.min(tile.left + Tile.SIDE, drawing.width);
         int bottom = Math.min(tile.top + Tile.SIDE, drawing.rows);
         for (int row = tile.top; row < bottom; row++) {
-            kernel.drawRow(drawing.input, drawing.frame, row, tile.left, right);
+            kernel.drawRow(drawing.input, drawing.stop, row, tile.left, right);
         }
     }
 }

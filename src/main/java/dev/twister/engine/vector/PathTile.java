@@ -46,10 +46,10 @@ final class PathTile {
         this.bounces = bounces;
     }
 
-    /** Renders the tile's pixels that lie in the frame. */
+    /** Renders the tile's pixels that lie in the frame, until the frame is stopped. */
     void draw(Drawing drawing) {
         begin(drawing, Tile.SIZE, drawing.pixelSamples, true);
-        while (goesOn()) {
+        while (goesOn() && !drawing.stop.isAsked()) {
             step(drawing);
         }
     }

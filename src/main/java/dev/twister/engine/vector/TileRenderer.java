@@ -38,9 +38,9 @@ final class TileRenderer {
         bench.start(drawing);
     }
 
-    /** Renders a tile; tiles are numbered row by row from the top left. */
+    /** Renders a tile, unless the frame is stopped meanwhile; tiles are numbered row by row from the top left. */
     void draw(Drawing drawing, int number) {
-        if (drawing.input.isWanted(number)) {
+        if (drawing.input.isWanted(number) && !drawing.stop.isAsked()) {
             drawWanted(drawing, number);
         }
     }
@@ -81,7 +81,7 @@ final class TileRenderer {
     private void drawSamples(Drawing drawing, Choices.Way way) {
         CameraLanes.listInside(tile, drawing);
         CameraLanes.blacken(tile);
-        for (int sample = 0; sample < drawing.pixelSamples; sample++) {
+        for (int sample = 0; sample < drawing.pixelSamples && !drawing.stop.isAsked(); sample++) {
             startSample(drawing, sample);
             switch (way) {
                 case LIT_GROUND -> OpenGround.addAndLeave(drawing, tile);
@@ -90,7 +90,9 @@ final class TileRenderer {
             }
             follow(drawing, way == Choices.Way.ANY ? 0 : 1);
         }
-        TileOutput.finish(drawing, tile);
+        if (!drawing.stop.isAsked()) {
+            TileOutput.finish(drawing, tile);
+        }
     }
 
     private void startSample(Drawing drawing, int sample) {
@@ -106,7 +108,9 @@ final class TileRenderer {
 
     /** Follows the live rays from the given bounce to their ends. */
     private void follow(Drawing drawing, int firstBounce) {
-        for (int bounce = firstBounce; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
+        for (int bounce = firstBounce;
+                bounce <= drawing.bounceLimit && tile.live.count > 0 && !drawing.stop.isAsked();
+                bounce++) {
             boolean offPlane = bounce == 1 && tile.spheres.count == 0 && drawing.looks.plainPlane && !drawing.lens;
             bounces.follow(drawing, tile, bounce, offPlane);
         }
@@ -120,11 +124,18 @@ final class TileRenderer {
         Tile rays = bench.branches;
         rays.moveTo(tile);
         rays.sample = tile.sample;
-        for (int bounce = bench.waiting.next(); bounce >= 0; bounce = bench.waiting.next()) {
+        for (int bounce = nextWaiting(drawing); bounce >= 0; bounce = nextWaiting(drawing)) {
             BranchLanes.resume(rays, bench.waiting, bounce);
             bounces.follow(drawing, rays, bounce, false);
             BranchLanes.add(rays, tile);
         }
+    }
+
+    private int nextWaiting(Drawing drawing) {
+        if (drawing.stop.isAsked()) {
+            bench.waiting.clear();
+        }
+        return bench.waiting.next();
     }
 
     /** Shades a tile whose view rays all hit the ground. */

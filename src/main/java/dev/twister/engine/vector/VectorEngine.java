@@ -3,6 +3,7 @@ package dev.twister.engine.vector;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.FrameFit;
+import dev.twister.engine.ProcessorTime;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.image.Frame;
@@ -28,6 +29,7 @@ final class VectorEngine implements Engine {
     private final Turns turns;
     private final IntConsumer[] tileTasks;
     private final Crew crew;
+    private final long[] processorNanos;
 
     static {
         StageInlining.ensure();
@@ -49,7 +51,12 @@ final class VectorEngine implements Engine {
         tileTasks = new IntConsumer[threads];
         Arrays.setAll(tileTasks, thread -> tile -> renderers[thread].draw(drawing, tile));
         turns = new Turns(threads, LEAST_TILES_A_TURN);
-        crew = new Crew("vector", threads, thread -> turns.take(tileTasks[thread]));
+        processorNanos = new long[threads];
+        crew = new Crew("vector", threads, thread -> {
+            long start = ProcessorTime.ofThisThread();
+            turns.take(tileTasks[thread]);
+            processorNanos[thread] = ProcessorTime.ofThisThread() - start;
+        });
     }
 
     /** The text of {@link #device} for a number of threads. */
@@ -81,7 +88,12 @@ final class VectorEngine implements Engine {
         } catch (IllegalStateException e) {
             throw new EngineException("engine vector: " + e.getMessage(), e);
         }
-        frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start));
+        drawing.stop.check();
+        long processor = 0;
+        for (long nanos : processorNanos) {
+            processor += nanos;
+        }
+        frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start, processor));
     }
 
     @Override

@@ -18,7 +18,8 @@ import javafx.stage.Window;
 /** Asks with the system's dialogs. */
 public final class SystemFileChoice implements FileChoice {
     private static final String SCENE = "*" + ChosenFile.SCENE;
-    private static final List<String> PANORAMAS = List.of("*.hdr", "*.pic", "*.png", "*.jpg", "*.jpeg", "*.webp");
+    private static final List<String> PANORAMAS =
+            List.of("*.hdr", "*.exr", "*.pic", "*.png", "*.jpg", "*.jpeg", "*.webp");
     private static final List<String> PICTURES = List.of("*.exr", "*.hdr", "*.png");
     private static final List<String> MESHES =
             MeshReader.ENDINGS.stream().map(ending -> "*" + ending).toList();

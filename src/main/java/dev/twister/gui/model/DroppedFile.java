@@ -14,7 +14,7 @@ public final class DroppedFile {
     private static final String SCHEMA = ".schema.json";
     private static final int LOOKED_AT = 256;
     private static final String EXPECTED =
-            "a scene (.json), a mesh (.obj, .gltf, .glb, .ply, .stl) or a panorama (.hdr, .png, .jpg)";
+            "a scene (.json), a mesh (.obj, .gltf, .glb, .ply, .stl) or a panorama (.hdr, .exr, .png, .jpg)";
 
     /** What to read it as; whether it is one is for that reader to say. */
     public enum Kind {
@@ -43,7 +43,7 @@ public final class DroppedFile {
         if (name.endsWith(".json")) {
             return Kind.SCENE;
         }
-        if (name.matches(".*\\.(hdr|pic|png|jpe?g)")) {
+        if (name.matches(".*\\.(hdr|exr|pic|png|jpe?g|webp)")) {
             return Kind.SKYBOX;
         }
         return name.matches(".*\\.(obj|gltf|glb|ply|stl)") ? Kind.MESH : Kind.OTHER;
@@ -74,7 +74,10 @@ public final class DroppedFile {
             boolean mesh = file.toString().toLowerCase(Locale.ROOT).endsWith(".gltf");
             return Optional.of(mesh ? Kind.MESH : Kind.SCENE);
         }
-        boolean panorama = text.startsWith("#?") || text.startsWith("\u0089PNG") || text.startsWith("\u00ff\u00d8");
+        boolean panorama = text.startsWith("#?")
+                || text.startsWith("\u0089PNG")
+                || text.startsWith("\u00ff\u00d8")
+                || text.startsWith("v/1\u0001");
         if (panorama) {
             return Optional.of(Kind.SKYBOX);
         }

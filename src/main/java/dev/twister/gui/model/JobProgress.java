@@ -5,13 +5,15 @@ import dev.twister.render.RenderProgress;
 import dev.twister.render.TimeLeft;
 import java.time.Duration;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 
 /** How far a job is. Told by the job's thread, asked by any. */
 public final class JobProgress implements RenderProgress {
     private final int frames;
     private final LongSupplier clock;
-    private final Runnable check;
+    private final BooleanSupplier canceled;
     private volatile State state = new State(false, 0, 0, 0, 0);
 
     /**
@@ -29,22 +31,33 @@ public final class JobProgress implements RenderProgress {
      * Nothing is done yet.
      *
      * @param frames of the job, 1 or more
-     * @param check called at every step; what it throws ends the job
+     * @param canceled asked at every step, and while a picture is drawn; once true, the job ends
      */
-    JobProgress(int frames, LongSupplier clock, Runnable check) {
+    JobProgress(int frames, LongSupplier clock, BooleanSupplier canceled) {
         this.frames = frames;
         this.clock = clock;
-        this.check = check;
+        this.canceled = canceled;
+    }
+
+    private void check() {
+        if (canceled.getAsBoolean()) {
+            throw new CancellationException();
+        }
+    }
+
+    @Override
+    public boolean isStopped() {
+        return canceled.getAsBoolean();
     }
 
     @Override
     public void settling(int done, int all) {
-        check.run();
+        check();
     }
 
     @Override
     public void moved() {
-        check.run();
+        check();
     }
 
     @Override
@@ -57,14 +70,14 @@ public final class JobProgress implements RenderProgress {
     public void part(String engine, double part, Optional<Convergence> pass) {
         State now = state;
         state = new State(true, now.frame(), part, now.startNanos(), clock.getAsLong());
-        check.run();
+        check();
     }
 
     @Override
     public void frame() {
         State now = state;
         state = new State(true, now.frame() + 1, 0, now.startNanos(), clock.getAsLong());
-        check.run();
+        check();
     }
 
     /** The finished part, in [0, 1]; empty if not known yet. */

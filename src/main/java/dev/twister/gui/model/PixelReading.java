@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.image.FrameStop;
 import dev.twister.engine.JvmKernel;
 import dev.twister.image.Frame;
 import dev.twister.kernel.Layout;
@@ -33,7 +34,7 @@ public record PixelReading(int x, int y, int argb, Rgb radiance, int body, doubl
         int read = Math.min(samples, MOST_SAMPLES);
         FrameInput sampled = read == input.samplesPerPixel() ? input : input.withSamples(0, read);
         Frame row = Frame.ofRadiance(input.width(), 1);
-        new JvmKernel().drawRow(sampled.band(y, 1), row, 0, x, x + 1);
+        new JvmKernel().drawRow(sampled.band(y, 1), FrameStop.of(row), 0, x, x + 1);
         PointerRay ray = PointerRay.through(input, x + 0.5, y + 0.5);
         return new PixelReading(
                 x,

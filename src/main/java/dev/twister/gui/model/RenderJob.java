@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.image.RenderStoppedException;
 import dev.twister.render.RenderOrder;
 import dev.twister.render.Renderer;
 import dev.twister.world.World;
@@ -25,7 +26,7 @@ public final class RenderJob {
     private RenderJob(RenderOrder order, Supplier<World> reader, LongSupplier clock) {
         this.order = order;
         this.reader = reader;
-        progress = new JobProgress(order.output().range().count(), clock, this::check);
+        progress = new JobProgress(order.output().range().count(), clock, () -> canceled);
         thread = Thread.ofPlatform().daemon().name("rendering to file").unstarted(this::run);
     }
 
@@ -79,6 +80,8 @@ public final class RenderJob {
     private void run() {
         try {
             result.complete(render());
+        } catch (RenderStoppedException _) {
+            result.completeExceptionally(new CancellationException());
         } catch (IOException | RuntimeException | Error problem) {
             result.completeExceptionally(problem);
         }

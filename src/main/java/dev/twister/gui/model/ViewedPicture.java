@@ -6,9 +6,12 @@ import dev.twister.denoise.Plane;
 import dev.twister.image.ExrExtent;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
+import dev.twister.image.PictureNotes;
 import dev.twister.render.DenoisedPicture;
+import dev.twister.render.FileDisplay;
 import dev.twister.render.PictureFormat;
 import dev.twister.render.PictureLayers;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
@@ -22,13 +25,20 @@ import java.util.Optional;
  * A picture of a file.
  *
  * @param radiance linear, three floats per pixel
+ * @param display the exposure, tone map and transfer function of the file
  * @param lights its light layers; none if the file has none
  * @param guides of denoising, if the file has them
  * @param clean the radiance without noise, if the file has it
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 public record ViewedPicture(
-        int width, int height, float[] radiance, List<Light> lights, Optional<Guides> guides, Optional<float[]> clean) {
+        int width,
+        int height,
+        float[] radiance,
+        Rendering display,
+        List<Light> lights,
+        Optional<Guides> guides,
+        Optional<float[]> clean) {
     private static final int CHANNELS = 3;
     private static final Rgb UNCHANGED = new Rgb(1, 1, 1);
 
@@ -50,7 +60,16 @@ public record ViewedPicture(
         if (!PictureFormat.of(file).equals(Optional.of(PictureFormat.EXR))) {
             Skybox image = SkyboxReader.read(file);
             return new ViewedPicture(
-                    image.width(), image.height(), image.radiance(), List.of(), Optional.empty(), Optional.empty());
+                    image.width(),
+                    image.height(),
+                    image.radiance(),
+                    FileDisplay.settings(
+                            PictureFormat.of(file).equals(Optional.of(PictureFormat.HDR))
+                                    ? PictureNotes.of(file, 0, image.height())
+                                    : Optional.empty()),
+                    List.of(),
+                    Optional.empty(),
+                    Optional.empty());
         }
         ExrExtent extent = ExrReader.extent(file);
         if (extent.rows() < extent.height()) {
@@ -69,6 +88,7 @@ public record ViewedPicture(
                 picture.width(),
                 picture.height(),
                 noisy.orElse(colors),
+                FileDisplay.settings(picture.provenance()),
                 List.copyOf(lights),
                 DenoisedPicture.guides(picture),
                 noisy.map(_ -> colors));

@@ -33,7 +33,7 @@ final class SkySection {
                 file -> assets.useSky(file, this::refresh),
                 studio::notice);
         other.setId("other-sky");
-        other.setTooltip(Tooltips.of("Chooses a panorama's file: .hdr, .png or .jpg."));
+        other.setTooltip(Tooltips.of("Chooses a panorama's file: .hdr, .exr, .png or .jpg."));
         other.setOnAction(_ -> assets.chooseSky());
         sky.addControl(other);
         numbers = NumberRow.of(SceneNumbers.SKY, studio);

@@ -120,6 +120,10 @@ final class ViewerPane extends BorderPane {
         });
         values.setId("viewed-values");
         values.setText(picture.width() + " × " + picture.height());
+        double stops = picture.display().exposure();
+        exposure.setMin(Math.min(-STOPS, stops));
+        exposure.setMax(Math.max(STOPS, stops));
+        exposure.setValue(stops);
         VBox controls = new VBox(row("Exposure", "stops", exposure));
         controls.getStyleClass().add("sections");
         for (ViewedPicture.Light light : picture.lights()) {
@@ -213,7 +217,7 @@ final class ViewerPane extends BorderPane {
     }
 
     private Toned toned(float[] radiance, double stops, Mode mode, int columns, Optional<Other> second) {
-        Rendering settings = Rendering.DEFAULT.withTone(stops, Rendering.DEFAULT.toneMap(), true);
+        Rendering settings = picture.display().withExposure(stops);
         Optional<Other> same = second.filter(one -> one.width() == picture.width() && one.height() == picture.height());
         if (same.isEmpty()) {
             String apart = second.map(one -> "The rendering has " + one.width() + " × " + one.height()

@@ -31,9 +31,7 @@ final class FilmFields {
     private final Label length = new Label();
     private final HBox frames;
 
-    /** The time of the last keyframe; 0 if there is none. */
-    private double lastKeyframe;
-
+    private Optional<Scene> filmed = Optional.empty();
     private boolean showing;
 
     /** Whether the last frame follows the film's own end. */
@@ -81,7 +79,7 @@ final class FilmFields {
 
     /** Offers the motions that a scene has. */
     void follow(Scene scene) {
-        lastKeyframe = Animation.length(scene);
+        filmed = Optional.of(scene);
         List<FilmMotion> motions = FilmMotion.of(scene);
         motion.offer(motions, motions.stream().findFirst());
         showEnd();
@@ -118,15 +116,17 @@ final class FilmFields {
     private void showEnd() {
         if (whole && rate.complaint().isEmpty()) {
             showing = true;
-            last.show(NUMBERS.clamp(Math.rint(seconds() * rate.number())));
+            last.show(NUMBERS.clamp(count(rate.number()) - 1));
             showing = false;
         }
         tell();
     }
 
-    private double seconds() {
+    private double count(double framesPerSecond) {
         boolean path = motion.choice().filter(FilmMotion::followsKeyframes).isPresent();
-        return path && lastKeyframe > 0 ? lastKeyframe : USUAL_SECONDS;
+        return filmed.filter(scene -> path && Animation.length(scene) > 0)
+                .map(scene -> (double) Animation.frames(scene, framesPerSecond))
+                .orElse(Math.rint(USUAL_SECONDS * framesPerSecond) + 1);
     }
 
     private void tell() {

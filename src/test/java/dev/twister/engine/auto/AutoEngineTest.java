@@ -12,6 +12,7 @@ import dev.twister.world.SampleWorld;
 import dev.twister.world.World;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -119,6 +120,31 @@ class AutoEngineTest {
         }
         assertThat(slow.lastWidth).isEqualTo(320);
         assertThat(slow.lastHeight).isEqualTo(100);
+    }
+
+    /** Rows of the sky alone take less time than others, by every engine. */
+    @Test
+    void theWarmUpDrawsTheRowsOfTheLatestBand() throws InterruptedException {
+        CountingEngine slow = new CountingEngine("tornado:0:0", 1000);
+        Frame rows = Frame.ofPixels(WIDTH, 40);
+        try (Engine auto = auto(_ -> Optional.of(slow))) {
+            auto.render(input.band(0, 40), rows);
+            slow.awaitFrames(1);
+            assertThat(slow.lastBand).isEqualTo(List.of(0, 20));
+            auto.render(input.band(80, 40), rows);
+            slow.awaitFrames(slow.frames.get() + 2);
+        }
+        assertThat(slow.lastBand).isEqualTo(List.of(40, 20));
+    }
+
+    @Test
+    void otherWorkOnTheMachineDoesNotCount() {
+        CountingEngine fast = new CountingEngine("vector", 1000);
+        fast.processorNanosPerPixel = 99 * Runtime.getRuntime().availableProcessors();
+        try (Engine auto = auto(_ -> Optional.of(fast))) {
+            renderUntil(auto, "vector");
+        }
+        assertThat(fast.closed).isOne();
     }
 
     @Test
@@ -404,6 +430,8 @@ class AutoEngineTest {
         private int rests;
         private boolean bands;
         private int nanosPerPixelAtFirst;
+        private int processorNanosPerPixel;
+        private volatile List<Integer> lastBand = List.of();
         private IntConsumer pauses = _ -> {};
         private Optional<FrameInput> declined = Optional.empty();
         private volatile int lastSamples;
@@ -431,12 +459,14 @@ class AutoEngineTest {
             lastWidth = drawn.width();
             lastHeight = drawn.height();
             lastSamples = drawn.samplesPerPixel();
+            lastBand = List.of(drawn.firstRow(), drawn.rows());
             Arrays.fill(into.argb(), id.hashCode());
             int drawnBefore = frames.getAndIncrement();
             pauses.accept(drawnBefore);
             int nanos =
                     (drawnBefore == 0 ? nanosPerPixelAtFirst : nanosPerPixel) * drawn.shadowSamples() / SHADOW_SAMPLES;
-            into.setTimes(FrameTimes.onJvm((long) nanos * drawn.width() * drawn.rows()));
+            long pixels = (long) drawn.width() * drawn.rows();
+            into.setTimes(FrameTimes.onJvm(nanos * pixels, processorNanosPerPixel * pixels));
         }
 
         @Override

@@ -20,6 +20,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class ViewedPictureTest {
+    private static final Provenance MADE = new Provenance("Twister", "picture", "4");
+
     @TempDir
     private Path folder;
 
@@ -66,6 +68,21 @@ class ViewedPictureTest {
     }
 
     @Test
+    void readsLayersOfOtherPrograms() throws IOException {
+        Path file = folder.resolve("blender.exr");
+        List<ExrChannel> channels = new ArrayList<>();
+        for (String layer : List.of("ViewLayer.AO.", "ViewLayer.Combined.")) {
+            for (String channel : List.of("R", "G", "B")) {
+                float value = layer.endsWith("AO.") ? 1 : 3;
+                channels.add(new ExrChannel(layer + channel, new float[] {value}, 0, 1));
+            }
+        }
+        ExrWriter.write(file, 1, 1, channels);
+
+        assertThat(ViewedPicture.read(file).radiance()).containsExactly(3, 3, 3);
+    }
+
+    @Test
     void numbersAreNoPicture() throws IOException {
         Path numbers = exr(0, Map.of("depth.", 1f));
 
@@ -84,7 +101,7 @@ class ViewedPictureTest {
                 channels.add(new ExrChannel(layer + channel, values, 0, 1));
             }
         });
-        ExrWriter.write(file, new ExrPicture(2, 3, firstRow, 3 - firstRow, channels, Optional.empty()));
+        ExrWriter.write(file, new ExrPicture(2, 3, firstRow, 3 - firstRow, channels, Optional.of(MADE)));
         return file;
     }
 }

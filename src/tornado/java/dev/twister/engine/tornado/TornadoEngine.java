@@ -3,6 +3,7 @@ package dev.twister.engine.tornado;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.FrameFit;
+import dev.twister.image.FrameStop;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.util.HashMap;
@@ -55,6 +56,8 @@ final class TornadoEngine implements Engine {
     @Override
     public void render(FrameInput input, Frame frame) {
         FrameFit.check(input, frame);
+        FrameStop stop = FrameStop.of(frame);
+        stop.check();
         try {
             DevicePlan plan = planFor(input, frame);
             last = Optional.of(plan);
@@ -69,6 +72,7 @@ final class TornadoEngine implements Engine {
             close();
             throw new EngineException(DeviceFailure.message(name, e), e);
         }
+        stop.check();
     }
 
     /** The window alternates between 8-bit and linear frames, so each kind keeps its plan. */

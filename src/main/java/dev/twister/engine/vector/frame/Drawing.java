@@ -3,6 +3,7 @@ package dev.twister.engine.vector.frame;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.SphereColumns;
 import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.image.FrameStop;
 import dev.twister.image.Frame;
 import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Intersection;
@@ -42,6 +43,7 @@ public final class Drawing {
 
     public FrameInput input;
     public Frame frame;
+    public FrameStop stop;
     public int width;
     public int rows;
     public int shadowSamples;
@@ -91,13 +93,14 @@ public final class Drawing {
     }
 
     /**
-     * Prepares a frame.
+     * Prepares a frame that this thread asks for.
      *
      * @param walk whether to use the hierarchy
      */
     public void take(FrameInput newInput, Frame newFrame, boolean walk) {
         input = newInput;
         frame = newFrame;
+        stop = FrameStop.of(newFrame);
         declined.take(newInput, walk);
         looks.take(newInput);
         bodies.take(newInput);

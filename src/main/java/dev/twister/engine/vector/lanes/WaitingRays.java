@@ -46,6 +46,11 @@ public final class WaitingRays {
         }
     }
 
+    /** Forgets all rays. */
+    public void clear() {
+        Arrays.fill(counts, 0);
+    }
+
     /** The bounce of the rays to follow next; negative if none wait. */
     public int next() {
         int fullest = -1;
