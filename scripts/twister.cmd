@@ -95,7 +95,7 @@ if not exist "%stamp%" exit /b 1
 set "built_with="
 set /p built_with=<"%stamp%"
 if not "%built_with%"=="no sdk" exit /b 1
-powershell -NoProfile -Command "$built = (Get-Item -LiteralPath $env:stamp).LastWriteTime; Set-Location -LiteralPath $env:TWISTER_HOME; $newer = @(Get-Item pom.xml, src/main); $newer += Get-ChildItem -Recurse src/main, .mvn -ErrorAction SilentlyContinue; if ($newer | Where-Object { $_.LastWriteTime -gt $built }) { exit 1 }"
+powershell -NoProfile -Command "$built = (Get-Item -LiteralPath $env:stamp).LastWriteTime; Set-Location -LiteralPath $env:TWISTER_HOME; $newer = @(Get-Item pom.xml, src/main, src/lanes); $newer += Get-ChildItem -Recurse src/main, src/lanes, .mvn -ErrorAction SilentlyContinue; if ($newer | Where-Object { $_.LastWriteTime -gt $built }) { exit 1 }"
 exit /b
 
 :build

@@ -50,6 +50,13 @@ public final class PathTracer {
         }
     }
 
+    /** Starts a sample's path, of which {@link #find} and {@link #arrive} follow the view ray. */
+    public static void start(float[] path, int column, int row, int sample, float[] frame, int variant) {
+        PixelKernel.start(path, column, row, sample, frame);
+        Guides.begin(path, variant);
+        begin(path, frame, variant);
+    }
+
     /** Prepares for the first {@link #step} from a view ray. */
     public static void begin(float[] path, float[] frame, int variant) {
         Medium.begin(path, frame, variant);
@@ -77,11 +84,7 @@ public final class PathTracer {
             float[] images,
             int variant) {
         int direct = ray == TO_EMITTER ? 1 : 0;
-        float limit = direct != 0 ? path[Layout.LIGHT_DISTANCE] : Intersection.MISS;
-        int body = Hit.within(path, limit, scratch, frame, bodies, looks, meshes, variant);
-        if ((variant & Variant.MASKS) != 0) {
-            path[Layout.RAYS] = path[Layout.RAYS] + 1f;
-        }
+        int body = find(path, ray, scratch, frame, bodies, looks, meshes, variant);
         int next = NO_RAY;
         if (direct != 0) {
             next = light(path, body, scratch, variant);
@@ -90,6 +93,29 @@ public final class PathTracer {
             next = arrive(path, body, bounce, scratch, frame, bodies, looks, meshes, images, variant);
         }
         return next;
+    }
+
+    /**
+     * Finds what the path's ray meets.
+     *
+     * @param ray as {@link #step} takes it
+     * @return the closest body, or for a ray to an emitter any that blocks it; {@link Layout#NOTHING} for none
+     */
+    public static int find(
+            float[] path,
+            int ray,
+            float[] scratch,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            int variant) {
+        float limit = ray == TO_EMITTER ? path[Layout.LIGHT_DISTANCE] : Intersection.MISS;
+        int body = Hit.within(path, limit, scratch, frame, bodies, looks, meshes, variant);
+        if ((variant & Variant.MASKS) != 0) {
+            path[Layout.RAYS] = path[Layout.RAYS] + 1f;
+        }
+        return body;
     }
 
     /**

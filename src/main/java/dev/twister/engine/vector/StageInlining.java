@@ -21,15 +21,20 @@ import javax.management.ObjectName;
 final class StageInlining {
     private static final String PACKAGE = "dev/twister/engine/vector/";
 
-    /** Methods that take or return vectors, and the lists: always inlined. */
-    static final List<String> ALWAYS = List.of(PACKAGE + "lanes/*.*");
+    /**
+     * Methods that take or return vectors, and the lists: always inlined. The JDK's one is not by itself; where it is a
+     * call, gathers allocate.
+     */
+    static final List<String> ALWAYS = List.of(PACKAGE + "lanes/*.*", "jdk/incubator/vector/IntVector.species");
 
     /**
-     * Methods whose first parameter is a tile or its shadow columns, and those that run once per tile: never inlined.
+     * Methods whose first parameter is a tile, its shadow columns or the columns of paths, and those that run once per
+     * tile: never inlined.
      */
     static final List<String> NEVER = List.of(
             PACKAGE + "*.*(L" + PACKAGE + "lanes/Tile;",
             PACKAGE + "*.*(L" + PACKAGE + "lanes/ShadowColumns;",
+            PACKAGE + "*.*(L" + PACKAGE + "made/PathColumns;",
             PACKAGE + "TileRenderer.*",
             PACKAGE + "BounceRenderer.*");
 

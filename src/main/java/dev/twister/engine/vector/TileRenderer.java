@@ -19,13 +19,23 @@ final class TileRenderer {
     private final Tile tile = bench.tile;
     private final BounceRenderer bounces = new BounceRenderer(bench);
     private final PathTile paths = new PathTile(bench, bounces);
+    private final PathRehearsal rehearsal;
+    private final boolean rehearses;
+
+    /**
+     * One thread's renderer.
+     *
+     * @param rehearsal of all threads
+     * @param rehearses whether this one rehearses
+     */
+    TileRenderer(PathRehearsal rehearsal, boolean rehearses) {
+        this.rehearsal = rehearsal;
+        this.rehearses = rehearses;
+    }
 
     /** Prepares for a frame. */
     void start(Drawing drawing) {
         bench.start(drawing);
-        if (drawing.input.tracesPaths()) {
-            paths.start();
-        }
     }
 
     /** Renders a tile, unless the frame is stopped meanwhile; tiles are numbered row by row from the top left. */
@@ -44,7 +54,7 @@ final class TileRenderer {
             return;
         }
         if (drawing.input.tracesPaths()) {
-            paths.draw(drawing);
+            drawPaths(drawing);
             return;
         }
         bench.wholeTiles.rehearse(drawing);
@@ -53,6 +63,18 @@ final class TileRenderer {
             case SKY -> TileOutput.finish(drawing, bench.wholeTiles.addSky(tile, drawing));
             case OPEN_GROUND -> TileOutput.finish(drawing, bench.wholeTiles.addOpenGround(tile, drawing));
             case LIT_GROUND, GROUND, ANY -> drawSamples(drawing, way);
+        }
+    }
+
+    private void drawPaths(Drawing drawing) {
+        if (rehearsal.isOver()) {
+            paths.draw(drawing);
+        } else {
+            long start = System.nanoTime();
+            bench.handover.drawTile(tile, drawing);
+            if (rehearses) {
+                rehearsal.goOn(paths, drawing, tile, System.nanoTime() - start);
+            }
         }
     }
 

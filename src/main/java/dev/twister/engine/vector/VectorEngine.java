@@ -39,14 +39,15 @@ final class VectorEngine implements Engine {
      * Starts the threads.
      *
      * @param ways closed together with the engine
+     * @param rehearsal of made lanes
      * @param drawing holds the state of the current frame
      */
-    VectorEngine(int threads, HierarchyChoice ways, Drawing drawing) {
+    VectorEngine(int threads, HierarchyChoice ways, PathRehearsal rehearsal, Drawing drawing) {
         this.drawing = drawing;
         this.threads = threads;
         this.ways = ways;
         renderers = new TileRenderer[threads];
-        Arrays.setAll(renderers, thread -> new TileRenderer());
+        Arrays.setAll(renderers, thread -> new TileRenderer(rehearsal, thread == 0));
         tileTasks = new IntConsumer[threads];
         Arrays.setAll(tileTasks, thread -> tile -> renderers[thread].draw(drawing, tile));
         turns = new Turns(threads, LEAST_TILES_A_TURN);

@@ -58,6 +58,12 @@ final class AllocationTest {
         "256, gallery of metal",
         "256, glass of paths",
         "256, crowd of 1000 of paths",
+        "256, lamps of paths",
+        "512, weekend of paths",
+        "512, cornell of paths",
+        "512, knot of paths",
+        "512, atrium of paths",
+        "512, maps of paths",
         "512, glass",
     })
     void allocatesNextToNothingWithManyMaterials(int bits, String scene) throws IOException, InterruptedException {
@@ -118,11 +124,15 @@ final class AllocationTest {
         public static void main(String[] arguments) {
             World world = world(arguments[0].replace(PATHS, ""));
             if (arguments[0].endsWith(PATHS)) {
-                world.setSettings(world.settings().withIntegrator(Integrator.PATH));
+                world.setSettings(world.settings()
+                        .withIntegrator(Integrator.PATH)
+                        .withSize(160, 96)
+                        .withSamplesPerPixel(4));
             }
             FrameInput input = world.snapshot();
             Frame frame = Frame.ofPixels(input.width(), input.rows());
-            try (Engine vector = VectorEngines.open(2)) {
+            // Made lanes from the start.
+            try (Engine vector = VectorEngines.open(2, VectorEngine.CROWD)) {
                 long allocated = Long.MAX_VALUE;
                 while (allocated > BYTES_A_FRAME && SYSTEM.getProcessCpuTime() < MOST_NANOS) {
                     allocated = bytesAFrame(vector, input, frame);

@@ -35,6 +35,7 @@ public final class Declined {
     private int end;
     private boolean crowded;
     private boolean any;
+    private boolean hits;
     private boolean frame;
 
     /**
@@ -62,14 +63,15 @@ public final class Declined {
             takeBodies(input.bodies());
         }
         int toneMap = (int) input.view().frame()[Layout.TONE_MAP];
-        frame = input.aspect() != Aspect.FULL
-                || (input.variant(false) & Variant.MASKS) != 0
-                || toneMap < Tone.CLAMP
-                || toneMap > Tone.ACES
+        hits = (input.variant(false) & Variant.MASKS) != 0
                 || occluders.count > MOST_OCCLUDERS
                 || input.view().frame()[Layout.CAMERA_MEDIUM] > Layout.NOTHING
                 || isCameraInside(input)
                 || isCameraOnASurface(input);
+        boolean picture = input.aspect() == Aspect.FULL;
+        frame = input.tracesPaths()
+                ? !picture && input.aspect() < Aspect.GUIDED
+                : !picture || hits || toneMap < Tone.CLAMP || toneMap > Tone.ACES;
     }
 
     private static boolean isCameraOnASurface(FrameInput input) {
@@ -184,6 +186,11 @@ public final class Declined {
     /** Whether the whole frame is declined. */
     public boolean isFrame() {
         return frame;
+    }
+
+    /** Whether packets do not find the frame's closest hits. */
+    public boolean areHits() {
+        return hits;
     }
 
     /** Whether any body is declined. */

@@ -1,0 +1,93 @@
+package dev.twister.engine.vector;
+
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.world.FrameInput;
+import java.util.Optional;
+
+/**
+ * Follows paths in made lanes while the kernel draws, until the JIT compiler has compiled them: before that they are
+ * hundreds of times slower. Both give the same picture, so that it may change at any tile. One thread rehearses,
+ * between its tiles, on the paths of the tile that the kernel has just drawn; nothing of that is stored.
+ */
+final class PathRehearsal {
+    /** Drawing by the kernel before it, which lets a short render have all of the processor. */
+    private static final long FIRST_NANOS = 2_000_000_000L;
+
+    /** A tile's samples that are followed. */
+    private static final int MOST_SAMPLES = 4;
+
+    /** Rehearsals of whole tiles that must be faster than the kernel. */
+    private static final int WINS = 3;
+
+    /** Rehearsals that are at most so many times slower than the kernel go on with more pixels. */
+    private static final int NEARLY = 4;
+
+    private volatile boolean isOver;
+    private Optional<FrameInput> input = Optional.empty();
+    private boolean isRunning;
+    private int pixels = 2 * Lanes.COUNT;
+    private int wins;
+    private long kernelNanos;
+    private long creditNanos;
+    private long spentNanos;
+    private long nanosToBeat;
+
+    /**
+     * Starts to rehearse, or is over from the start.
+     *
+     * @param isOver whether made lanes draw from the start
+     */
+    PathRehearsal(boolean isOver) {
+        this.isOver = isOver;
+    }
+
+    /** Whether made lanes are faster than the kernel. */
+    boolean isOver() {
+        return isOver;
+    }
+
+    /**
+     * Goes on, on the thread that rehearses, about as long as the kernel has drawn a tile.
+     *
+     * @param nanos how long the kernel has drawn the tile
+     */
+    @SuppressWarnings("ReferenceEquality") // inputs are immutable
+    void goOn(PathTile paths, Drawing drawing, Tile tile, long nanos) {
+        kernelNanos += nanos;
+        creditNanos = Math.min(creditNanos + nanos, FIRST_NANOS);
+        if (input.isEmpty() || input.get() != drawing.input) {
+            input = Optional.of(drawing.input);
+            isRunning = false;
+        }
+        boolean isWhole = tile.left + Tile.SIDE <= drawing.width && tile.top + Tile.SIDE <= drawing.rows;
+        while (!isOver && !drawing.stop.isAsked() && kernelNanos > FIRST_NANOS && creditNanos > 0 && (isRunning || isWhole)) {
+            if (!isRunning) {
+                int samples = Math.min(MOST_SAMPLES, drawing.pixelSamples);
+                paths.begin(drawing, pixels, samples, false);
+                nanosToBeat = nanos * pixels * samples / ((long) Tile.SIZE * drawing.pixelSamples);
+                spentNanos = 0;
+                isRunning = true;
+            }
+            long start = System.nanoTime();
+            paths.step(drawing);
+            long spent = System.nanoTime() - start;
+            spentNanos += spent;
+            creditNanos -= spent;
+            if (!paths.goesOn()) {
+                isRunning = false;
+                judge();
+            }
+        }
+    }
+
+    private void judge() {
+        if (pixels < Tile.SIZE) {
+            pixels *= spentNanos < NEARLY * nanosToBeat ? 2 : 1;
+        } else {
+            wins = spentNanos < nanosToBeat ? wins + 1 : 0;
+            isOver = wins == WINS;
+        }
+    }
+}
