@@ -136,7 +136,7 @@ public final class FilmOptions {
             return Optional.of(counted(Math.max(1, Math.round(turntable.get() * rate))));
         }
         boolean whole = several || skipExisting || overwrite;
-        if (Animation.isIn(scene) && (whole || !physics.isOn() && physics.isTimeGiven())) {
+        if (Animation.isIn(scene) && (whole || (!physics.isOn() && physics.isTimeGiven()))) {
             return Optional.of(counted(Animation.frames(scene, rate)));
         }
         if (whole) {
