@@ -1,12 +1,12 @@
 package dev.twister.sky;
 
-import dev.twister.sky.image.WebpFile;
 import dev.twister.files.GitLfs;
 import dev.twister.files.InputFile;
 import dev.twister.sky.image.FileBytes;
 import dev.twister.sky.image.LinearImage;
 import dev.twister.sky.image.OrdinaryImageFormat;
 import dev.twister.sky.image.OrdinaryImageReader;
+import dev.twister.sky.image.WebpFile;
 import dev.twister.sky.radiance.RadianceHeader;
 import dev.twister.sky.radiance.RadianceReader;
 import java.io.IOException;

@@ -1,9 +1,5 @@
 package dev.twister.oracle;
 
-import dev.twister.scene.light.Lights;
-import dev.twister.scene.light.LightGroup;
-import dev.twister.scene.material.Emission;
-import dev.twister.scene.material.Attenuation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -22,6 +18,10 @@ import dev.twister.scene.Shading;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightGroup;
+import dev.twister.scene.light.Lights;
+import dev.twister.scene.material.Attenuation;
+import dev.twister.scene.material.Emission;
 import dev.twister.sky.Skybox;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;

@@ -1,6 +1,5 @@
 package dev.twister.oracle;
 
-import dev.twister.scene.material.Attenuation;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rendering;
@@ -8,6 +7,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.material.Attenuation;
 import dev.twister.scene.material.Emission;
 import dev.twister.sky.PackedImage;
 import dev.twister.sky.Skybox;

@@ -1,8 +1,8 @@
 package dev.twister.cli.option;
 
+import dev.twister.cli.file.BadInputException;
 import dev.twister.cli.file.OutputFile;
 import dev.twister.film.FilmFile;
-import dev.twister.cli.file.BadInputException;
 import dev.twister.motion.MotionFile;
 import dev.twister.render.BodyMotion;
 import dev.twister.render.ExistingFrames;

@@ -62,7 +62,11 @@ final class PathRehearsal {
             isRunning = false;
         }
         boolean isWhole = tile.left + Tile.SIDE <= drawing.width && tile.top + Tile.SIDE <= drawing.rows;
-        while (!isOver && !drawing.stop.isAsked() && kernelNanos > FIRST_NANOS && creditNanos > 0 && (isRunning || isWhole)) {
+        while (!isOver
+                && !drawing.stop.isAsked()
+                && kernelNanos > FIRST_NANOS
+                && creditNanos > 0
+                && (isRunning || isWhole)) {
             if (!isRunning) {
                 int samples = Math.min(MOST_SAMPLES, drawing.pixelSamples);
                 paths.begin(drawing, pixels, samples, false);

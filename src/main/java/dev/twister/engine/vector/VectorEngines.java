@@ -44,7 +44,10 @@ public final class VectorEngines implements EngineProvider {
     /** Opens the engine on a number of threads. */
     public static Engine open(int threads) {
         return new VectorEngine(
-                threads, new HierarchyChoice(VectorEngine.CROWD, SmallRehearsal::of), new PathRehearsal(false), new Drawing());
+                threads,
+                new HierarchyChoice(VectorEngine.CROWD, SmallRehearsal::of),
+                new PathRehearsal(false),
+                new Drawing());
     }
 
     /** Opens the engine without rehearsals; it uses the hierarchy from {@code crowd} bodies on. */
@@ -63,7 +66,8 @@ public final class VectorEngines implements EngineProvider {
     }
 
     private static Engine open(int threads, int crowd, Drawing drawing) {
-        return new VectorEngine(threads, new HierarchyChoice(crowd, _ -> new Unrehearsed()), new PathRehearsal(true), drawing);
+        return new VectorEngine(
+                threads, new HierarchyChoice(crowd, _ -> new Unrehearsed()), new PathRehearsal(true), drawing);
     }
 
     /** Renders small frames of many or few spheres on its own thread until the frame time settles. */

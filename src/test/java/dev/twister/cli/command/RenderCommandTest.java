@@ -1,11 +1,11 @@
 package dev.twister.cli.command;
 
-import dev.twister.cli.file.ExitCode;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.ChildJvm;
 import dev.twister.cli.Main;
 import dev.twister.cli.Outcome;
+import dev.twister.cli.file.ExitCode;
 import dev.twister.cli.file.SkyFiles;
 import dev.twister.engine.ExposureMeter;
 import dev.twister.image.PngWriter;

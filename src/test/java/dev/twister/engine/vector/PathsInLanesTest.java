@@ -1,6 +1,5 @@
 package dev.twister.engine.vector;
 
-import dev.twister.scene.select.VisibleBodies;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.Engine;
@@ -11,6 +10,7 @@ import dev.twister.kernel.Aspect;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
+import dev.twister.scene.select.VisibleBodies;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
