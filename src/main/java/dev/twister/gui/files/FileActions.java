@@ -243,7 +243,7 @@ public final class FileActions {
     /** The scene that a person starts from: a floor, a sky and a light, path traced. */
     private static final class NewScene {
         /** Its file until it is saved for the first time. */
-        public static final String FILE_NAME = "untitled.json";
+        static final String FILE_NAME = "untitled.json";
 
         private static final double FLOOR_METERS = 20;
         private static final Camera CAMERA = Camera.of(new Vector3(0, 2, -7), 0, 10, 50);
@@ -259,7 +259,7 @@ public final class FileActions {
          *
          * @param sky a panorama's file
          */
-        public static Scene of(Path sky) {
+        static Scene of(Path sky) {
             Rendering rendering = Rendering.DEFAULT;
             return Scene.under(sky)
                     .withCamera(CAMERA)
