@@ -12,6 +12,7 @@ import dev.twister.lanes.Value.Constant;
 import dev.twister.lanes.Value.Lanes;
 import dev.twister.lanes.Value.Uniform;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
@@ -47,7 +48,7 @@ record Choices(Builder builder, Statements statements, int flat) {
         Arm first = arm(then);
         Arm second = arm(otherwise);
         Map<String, Value> values = statements.activation().values;
-        for (String name : values.keySet()) {
+        for (String name : List.copyOf(values.keySet())) {
             Value a = first.values.get(name);
             Value b = second.values.get(name);
             if (a.equals(b)) {
@@ -113,9 +114,9 @@ record Choices(Builder builder, Statements statements, int flat) {
                 .allMatch(statement -> statement instanceof PathStore
                         || statement instanceof Assignment
                         || statement instanceof MaskedAssignment
-                        || statement instanceof Operation operation
+                        || (statement instanceof Operation operation
                                 && !operation.name().equals("gather")
-                                && !operation.name().startsWith("scratch"));
+                                && !operation.name().startsWith("scratch")));
     }
 
     private void flatten(Value condition, Arm first, Arm second) {
@@ -144,7 +145,7 @@ record Choices(Builder builder, Statements statements, int flat) {
             });
         }
         Activation activation = statements.activation();
-        for (String name : activation.values.keySet()) {
+        for (String name : List.copyOf(activation.values.keySet())) {
             Value a = first.values.get(name);
             Value b = second.values.get(name);
             if (!a.equals(b)) {
@@ -158,7 +159,7 @@ record Choices(Builder builder, Statements statements, int flat) {
 
     private void branch(Arm first, Variable thenMask, Arm second, Variable elseMask) {
         Map<String, Value> values = statements.activation().values;
-        for (String name : values.keySet()) {
+        for (String name : List.copyOf(values.keySet())) {
             Value old = values.get(name);
             Value a = first.values.get(name);
             Value b = second.values.get(name);

@@ -194,7 +194,7 @@ final class Expressions {
             @Override
             public Void visitArrayAccess(ArrayAccessTree access, Void nothing) {
                 found[0] |= !isPath(access.getExpression());
-                return super.visitArrayAccess(access, nothing);
+                return super.visitArrayAccess(access, null);
             }
 
             @Override
@@ -204,7 +204,7 @@ final class Expressions {
                             && statements.activation().value(name.getName().toString()) instanceof Array
                             && !isPath(argument);
                 }
-                return super.visitMethodInvocation(call, nothing);
+                return super.visitMethodInvocation(call, null);
             }
         }.scan(tree, null);
         return found[0];

@@ -12,6 +12,7 @@ final class Lines {
     }
 
     /** Adds a line of a format. */
+    @SuppressWarnings("AnnotateFormatMethod") // the compiler runs without libraries
     void add(String format, Object... arguments) {
         add(String.format(Locale.ROOT, format, arguments));
     }

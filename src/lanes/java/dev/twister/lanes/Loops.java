@@ -108,13 +108,13 @@ final class Loops {
             @Override
             public Void visitAssignment(AssignmentTree set, Void nothing) {
                 found.add(set.getVariable().toString());
-                return super.visitAssignment(set, nothing);
+                return super.visitAssignment(set, null);
             }
 
             @Override
             public Void visitCompoundAssignment(CompoundAssignmentTree set, Void nothing) {
                 found.add(set.getVariable().toString());
-                return super.visitCompoundAssignment(set, nothing);
+                return super.visitCompoundAssignment(set, null);
             }
 
             @Override
@@ -122,7 +122,7 @@ final class Loops {
                 if (unary.getKind() == Tree.Kind.POSTFIX_INCREMENT || unary.getKind() == Tree.Kind.POSTFIX_DECREMENT) {
                     found.add(unary.getExpression().toString());
                 }
-                return super.visitUnary(unary, nothing);
+                return super.visitUnary(unary, null);
             }
         };
         for (Tree tree : trees) {

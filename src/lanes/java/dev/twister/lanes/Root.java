@@ -37,7 +37,7 @@ final class Root {
      * Makes a class.
      *
      * @param pathLength number of the path's floats
-     * @param variants values of the parameter {@code variant} that may occur
+     * @param variants numbers that a picture's properties may be
      */
     Root(
             Sources sources,

@@ -61,7 +61,7 @@ final class Uniforms {
         return combine(a, b, "(" + a.text() + " " + symbol + " " + b.text() + ")", a.kind(), (x, y) -> switch (x) {
             case Float f -> FLOATS.get(symbol).apply(f, (Float) y);
             case Integer i -> INTS.get(symbol).apply(i, (Integer) y);
-            default -> symbol.equals("&") ? (Boolean) x & (Boolean) y : (Boolean) x | (Boolean) y;
+            default -> symbol.equals("&") ? (Boolean) x && (Boolean) y : (Boolean) x || (Boolean) y;
         });
     }
 

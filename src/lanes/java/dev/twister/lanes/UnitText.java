@@ -14,6 +14,7 @@ import dev.twister.lanes.Statement.UniformLoop;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -29,7 +30,6 @@ final class UnitText {
     private static final int MOST_SOURCES = 4;
 
     private final Plan.Unit unit;
-    private final Lifetimes lifetimes;
     private final Lines body = new Lines();
 
     /** Variables that are declared here. */
@@ -42,7 +42,6 @@ final class UnitText {
 
     UnitText(Plan.Unit unit, Lifetimes lifetimes) {
         this.unit = unit;
-        this.lifetimes = lifetimes;
         unit.statements().forEach(this::findDefined);
         unit.statements().forEach(statement -> {
             declareFor(statement);
@@ -111,16 +110,16 @@ final class UnitText {
 
     /** The kernel's methods that the unit has most of. */
     private String sources() {
-        TreeMap<String, Integer> counts = new TreeMap<>();
+        Map<String, Integer> counts = new TreeMap<>();
         unit.statements().forEach(statement -> countSources(statement, counts));
         return counts.entrySet().stream()
                 .sorted((a, b) -> b.getValue() - a.getValue())
                 .limit(MOST_SOURCES)
-                .map(java.util.Map.Entry::getKey)
+                .map(Map.Entry::getKey)
                 .collect(Collectors.joining(", ", "Of ", ""));
     }
 
-    private static void countSources(Statement statement, TreeMap<String, Integer> counts) {
+    private static void countSources(Statement statement, Map<String, Integer> counts) {
         switch (statement) {
             case Operation operation -> counts.merge(operation.source(), 1, Integer::sum);
             case PathStore store -> counts.merge(store.source(), 1, Integer::sum);

@@ -62,8 +62,8 @@ sealed interface Value {
     /** Whether it is known to be a condition, or one of the ints 1 and 0. */
     default boolean isBit() {
         return isMask()
-                || this instanceof Constant(Object number)
-                        && (number instanceof Boolean || number.equals(0) || number.equals(1));
+                || (this instanceof Constant(Object number)
+                        && (number instanceof Boolean || number.equals(0) || number.equals(1)));
     }
 
     /** The Java expression of a value that is the same in all lanes. */

@@ -16,6 +16,7 @@ final class Constructs {
         return path[2] - x;
     }
 
+    @SuppressWarnings("NarrowCalculation") // divides ints on purpose
     static int divisions(float[] path, float[] scratch, float[] frame, int a, int b, float x, int variant) {
         int large = 1000 * a + b;
         path[0] = large / 7;

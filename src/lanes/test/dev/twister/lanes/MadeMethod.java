@@ -97,7 +97,7 @@ final class MadeMethod {
         int[] list = new int[packets];
         int count = 0;
         for (int packet = 0; packet < packets; packet++) {
-            long active = lanes >> packet * Lanes.COUNT & Lanes.first(Lanes.COUNT);
+            long active = (lanes >> (packet * Lanes.COUNT)) & Lanes.first(Lanes.COUNT);
             columns.activate(packet, active);
             list[count] = packet;
             count += active == 0 ? 0 : 1;

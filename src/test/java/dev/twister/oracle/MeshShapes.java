@@ -169,7 +169,7 @@ public final class MeshShapes {
             return count++;
         }
 
-        public float[] positions() {
+        float[] positions() {
             return Arrays.copyOf(positions, 3 * count);
         }
     }

@@ -21,7 +21,11 @@ public final class ShapeMaker {
 
     private ShapeMaker() {}
 
-    /** @param basis see {@link Shape#basis} */
+    /**
+     * The mesh of a shape.
+     *
+     * @param basis see {@link Shape#basis}
+     */
     public static MeshFile file(Shape basis) {
         ShapeMaker maker = new ShapeMaker();
         switch (basis.kind()) {

@@ -15,7 +15,11 @@ import dev.twister.scene.Vector3;
 public final class TrianglesOfCode {
     private TrianglesOfCode() {}
 
-    /** @throws MeshException if no triangle has an area, or there are too many */
+    /**
+     * The mesh of these triangles.
+     *
+     * @throws MeshException if no triangle has an area, or there are too many
+     */
     public static MeshFile file(Triangles triangles, double smoothDegrees) {
         if (triangles.triangleCount() > MeshLimits.TRIANGLES) {
             throw new MeshException(triangles.name() + ": " + MeshLimits.tooManyTriangles(triangles.triangleCount()));

@@ -2,7 +2,11 @@ package dev.twister.sky.daylight;
 
 /** A unit vector: x right, y up, z ahead of the default camera. */
 public record Direction(double x, double y, double z) {
-    /** @param azimuth in radians, 0 along +z, a quarter turn along +x */
+    /**
+     * The direction at angles in radians.
+     *
+     * @param azimuth 0 along +z, a quarter turn along +x
+     */
     public static Direction of(double elevation, double azimuth) {
         double horizontal = StrictMath.cos(elevation);
         return new Direction(

@@ -146,7 +146,7 @@ public final class LinearImage {
             }
         }
 
-        public PackedImage image(float[] table) {
+        PackedImage image(float[] table) {
             float[] linear = Arrays.copyOf(table, PackedImage.VALUES);
             return new PackedImage(order.width(), order.height(), texels, linear, opaque);
         }
@@ -192,7 +192,7 @@ public final class LinearImage {
             }
         }
 
-        public Skybox image() {
+        Skybox image() {
             return new Skybox(order.width(), order.height(), radiance, kept);
         }
     }

@@ -75,7 +75,7 @@ public final class CameraPath {
      * @param part part of the time to the next keyframe, in [0, 1]
      */
     private record Curve(List<CameraKeyframe> keyframes, int index, double part) {
-        public static Curve at(List<CameraKeyframe> keyframes, double seconds) {
+        static Curve at(List<CameraKeyframe> keyframes, double seconds) {
             int last = keyframes.size() - 1;
             if (last == 0 || seconds <= keyframes.getFirst().seconds()) {
                 return new Curve(keyframes, 0, 0);
