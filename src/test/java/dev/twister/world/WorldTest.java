@@ -107,6 +107,8 @@ class WorldTest {
                         0,
                         0,
                         0,
+                        -1,
+                        -1,
                         Layout.DISC + 2 * 5);
     }
 

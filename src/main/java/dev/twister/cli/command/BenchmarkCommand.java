@@ -95,7 +95,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     private static final Set<String> SHOWING = Set.of("--page", CommonOptions.QUIET, CommonOptions.VERBOSE);
     private static final double SLOWER_PERCENT = 5;
     private static final double MAX_PERCENT = 1000;
-    private static final String MAIN_CLASS = BenchmarkCommand.class.getPackageName() + ".Main";
+    private static final String MAIN_CLASS = "dev.twister.cli.Main";
     private static final int MAX_FRAMES = 100_000;
     private static final double MIN_SECONDS = 0.001;
     private static final double MAX_SECONDS = 86_400;
