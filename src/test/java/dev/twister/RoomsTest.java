@@ -377,6 +377,7 @@ class RoomsTest {
                         "scene",
                         "sky",
                         "world",
+                        "film",
                         "denoise",
                         "motion",
                         "render",

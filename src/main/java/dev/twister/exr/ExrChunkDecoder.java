@@ -45,7 +45,7 @@ final class ExrChunkDecoder {
                 at += count + 1;
             }
         }
-        check(at == length);
+        ExrDamage.check(at == length);
         return plain;
     }
 
@@ -54,9 +54,9 @@ final class ExrChunkDecoder {
         byte[] plain = new byte[length];
         try (Inflater inflater = new Inflater()) {
             inflater.setInput(packed);
-            check(inflater.inflate(plain) == length);
+            ExrDamage.check(inflater.inflate(plain) == length);
             // The checksum at the end is read with the next byte.
-            check(inflater.inflate(new byte[1]) == 0 && inflater.finished());
+            ExrDamage.check(inflater.inflate(new byte[1]) == 0 && inflater.finished());
         }
         return plain;
     }
@@ -123,11 +123,5 @@ final class ExrChunkDecoder {
             }
         }
         return rows;
-    }
-
-    static void check(boolean right) throws DataFormatException {
-        if (!right) {
-            throw new DataFormatException();
-        }
     }
 }

@@ -21,8 +21,15 @@ public record Provenance(String software, String picture, String samples, Option
         this(software, picture, samples, Optional.empty());
     }
 
+    /**
+     * Whether another file holds the same picture; not all formats have the display settings, which its digest covers.
+     */
+    public boolean isOfSamePicture(Provenance other) {
+        return withDisplay(other.display).equals(other);
+    }
+
     /** The same with other display settings. */
-    public Provenance withDisplay(Optional<DisplaySettings> newDisplay) {
+    Provenance withDisplay(Optional<DisplaySettings> newDisplay) {
         return new Provenance(software, picture, samples, newDisplay);
     }
 

@@ -105,7 +105,7 @@ public final class Renderer {
         FrameRange frames = output.range();
         FilmFormat format = new FilmFormat(
                 order.size().width(), order.size().height(), order.movement().rate(), frames.count());
-        SampleTotals samples = SampleTotals.NONE;
+        RenderResult.Samples samples = RenderResult.Samples.NONE;
         try (FilmWriting writing = new FilmWriting(FilmFile.of(output.file()), format)) {
             for (int number : frames.numbers().toArray()) {
                 FrameInput input = shown.frame(number);
@@ -121,7 +121,7 @@ public final class Renderer {
 
     private RenderResult frames() throws IOException {
         int kept = 0;
-        SampleTotals samples = SampleTotals.NONE;
+        RenderResult.Samples samples = RenderResult.Samples.NONE;
         int writers = writers(output);
         try (BackgroundWriter writer = new BackgroundWriter("writing", writers, room(writers))) {
             for (int number : output.range().numbers().toArray()) {
@@ -150,7 +150,7 @@ public final class Renderer {
         write(0, drawn, part, drawing.provenance(input));
         return new RenderResult(
                 0,
-                SampleTotals.NONE.plus(drawn.getFirst().drawn()),
+                RenderResult.Samples.NONE.plus(drawn.getFirst().drawn()),
                 Optional.of(new RenderResult.Single(
                         drawn, part, drawing.engine().id(), drawing.engine().device())));
     }
@@ -162,9 +162,7 @@ public final class Renderer {
         }
         try {
             Optional<Provenance> found = PictureNotes.of(file, part.firstRow(), part.rows());
-            // The digest covers the display settings, which not all formats have.
-            if (found.filter(kept -> kept.withDisplay(made.display()).equals(made))
-                    .isPresent()) {
+            if (found.filter(made::isOfSamePicture).isPresent()) {
                 return true;
             }
             progress.replacing(file, "differs in its scene, settings or version");

@@ -39,7 +39,6 @@ import dev.twister.render.RenderOrder;
 import dev.twister.render.RenderOutput;
 import dev.twister.render.RenderResult;
 import dev.twister.render.Renderer;
-import dev.twister.render.SampleTotals;
 import dev.twister.render.Sampling;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Rendering;
@@ -344,7 +343,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     /** Empty without a noise bound, or if all frames were kept. */
-    private static String samplesOf(RenderOrder order, SampleTotals samples) {
+    private static String samplesOf(RenderOrder order, RenderResult.Samples samples) {
         if (samples.pixels() == 0 || order.sampling().noise().isEmpty()) {
             return "";
         }

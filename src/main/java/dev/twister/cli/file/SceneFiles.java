@@ -1,6 +1,5 @@
 package dev.twister.cli.file;
 
-import dev.twister.cli.option.PathConverter;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.format.SceneReader;

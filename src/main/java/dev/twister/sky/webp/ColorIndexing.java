@@ -21,7 +21,7 @@ record ColorIndexing(int[] colors, int width, int height) implements LosslessTra
     }
 
     int packedWidth() {
-        return Lossless.blocks(width, packing());
+        return LosslessTransform.blocks(width, packing());
     }
 
     @Override

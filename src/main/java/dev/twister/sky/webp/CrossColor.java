@@ -9,7 +9,7 @@ package dev.twister.sky.webp;
 record CrossColor(int[] multipliers, int width, int blockBits) implements LosslessTransform {
     @Override
     public int[] inverse(int[] argb) {
-        int perRow = Lossless.blocks(width, blockBits);
+        int perRow = LosslessTransform.blocks(width, blockBits);
         for (int i = 0; i < argb.length; i++) {
             int block = multipliers[((i / width) >> blockBits) * perRow + (i % width >> blockBits)];
             int green = argb[i] >> 8;

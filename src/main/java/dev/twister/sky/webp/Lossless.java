@@ -62,7 +62,7 @@ final class Lossless {
         int seen = 0;
         while (bits.flag()) {
             int type = bits.read(2);
-            WebpContainer.check((seen & 1 << type) == 0, "one transform twice");
+            WebpDamage.check((seen & 1 << type) == 0, "one transform twice");
             seen |= 1 << type;
             LosslessTransform transform = switch (type) {
                 case PREDICTOR -> {
@@ -90,11 +90,7 @@ final class Lossless {
 
     /** A picture with one texel per block of another. */
     private int[] blocks(int width, int height, int blockBits) throws IOException {
-        return texels(blocks(width, blockBits), blocks(height, blockBits), false);
-    }
-
-    static int blocks(int length, int blockBits) {
-        return (length + (1 << blockBits) - 1) >> blockBits;
+        return texels(LosslessTransform.blocks(width, blockBits), LosslessTransform.blocks(height, blockBits), false);
     }
 
     /**
@@ -105,7 +101,7 @@ final class Lossless {
     private int[] texels(int width, int height, boolean main) throws IOException {
         boolean hasCache = bits.flag();
         int cacheBits = hasCache ? bits.read(4) : 0;
-        WebpContainer.check(hasCache == cacheBits > 0 && cacheBits <= MOST_CACHE_BITS, "a color cache of no size");
+        WebpDamage.check(hasCache == cacheBits > 0 && cacheBits <= MOST_CACHE_BITS, "a color cache of no size");
         int blockBits = 0;
         int[] groupOf = {};
         int groupCount = 1;
@@ -121,7 +117,11 @@ final class Lossless {
         for (int i = 0; i < groupCount; i++) {
             groups.add(Group.read(bits, cacheBits));
         }
-        return texels(width, height, new Parts(groups, groupOf, blockBits, blocks(width, blockBits)), cacheBits);
+        return texels(
+                width,
+                height,
+                new Parts(groups, groupOf, blockBits, LosslessTransform.blocks(width, blockBits)),
+                cacheBits);
     }
 
     /** Which codes a texel has. */
@@ -159,7 +159,7 @@ final class Lossless {
             } else if (symbol < LITERALS + LENGTHS) {
                 count = prefixed(symbol - LITERALS);
                 int distance = distance(prefixed(group.distance().next(bits)), width);
-                WebpContainer.check(distance <= at && count <= argb.length - at, "a copy of texels beyond the picture");
+                WebpDamage.check(distance <= at && count <= argb.length - at, "a copy of texels beyond the picture");
                 copy(argb, at, distance, count);
             } else {
                 cached = cache(argb, cached, at, cache, cacheBits);

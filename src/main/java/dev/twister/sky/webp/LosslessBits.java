@@ -30,7 +30,7 @@ final class LosslessBits {
     /** Takes bits that {@link #peek} has shown. */
     void take(int bits) throws IOException {
         if (bits > held) {
-            throw WebpContainer.truncated();
+            throw WebpDamage.truncated();
         }
         window >>>= bits;
         held -= bits;

@@ -15,7 +15,7 @@ record LosslessPrediction(int[] modes, int width, int blockBits) implements Loss
         for (int i = 1; i < Math.min(width, argb.length); i++) {
             argb[i] = LosslessTransform.sum(argb[i], argb[i - 1]);
         }
-        int perRow = Lossless.blocks(width, blockBits);
+        int perRow = LosslessTransform.blocks(width, blockBits);
         for (int start = width; start < argb.length; start += width) {
             argb[start] = LosslessTransform.sum(argb[start], argb[start - width]);
             int blocks = ((start / width) >> blockBits) * perRow;

@@ -18,4 +18,9 @@ interface LosslessTransform {
     static int sum(int a, int b) {
         return ((a & 0xff00ff00) + (b & 0xff00ff00) & 0xff00ff00) | ((a & 0xff00ff) + (b & 0xff00ff) & 0xff00ff);
     }
+
+    /** The number of blocks along a side, each of 2 to the power of blockBits texels; the last may be shorter. */
+    static int blocks(int length, int blockBits) {
+        return (length + (1 << blockBits) - 1) >> blockBits;
+    }
 }

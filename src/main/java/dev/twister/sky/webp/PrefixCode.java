@@ -35,7 +35,7 @@ final class PrefixCode {
             boolean two = bits.flag();
             int first = bits.read(bits.flag() ? 8 : 1);
             int second = two ? bits.read(8) : first;
-            WebpContainer.check(Math.max(first, second) < symbols, "a symbol of no alphabet");
+            WebpDamage.check(Math.max(first, second) < symbols, "a symbol of no alphabet");
             lengths = new int[Math.max(first, second) + 1];
             lengths[first] = 1;
             lengths[second] = 1;
@@ -55,7 +55,7 @@ final class PrefixCode {
         int left = symbols;
         if (bits.flag()) {
             left = 2 + bits.read(2 + 2 * bits.read(3));
-            WebpContainer.check(left <= symbols, "more code lengths than symbols");
+            WebpDamage.check(left <= symbols, "more code lengths than symbols");
         }
         int[] lengths = new int[symbols];
         int previous = 8;
@@ -68,7 +68,7 @@ final class PrefixCode {
             } else {
                 int kind = length - REPEAT;
                 int repeat = bits.read(REPEAT_BITS[kind]) + REPEAT_OFFSET[kind];
-                WebpContainer.check(symbol + repeat <= symbols, "more code lengths than symbols");
+                WebpDamage.check(symbol + repeat <= symbols, "more code lengths than symbols");
                 Arrays.fill(lengths, symbol, symbol + repeat, kind == 0 ? previous : 0);
                 symbol += repeat;
             }
@@ -83,7 +83,7 @@ final class PrefixCode {
             counts[length]++;
         }
         int used = lengths.length - counts[0];
-        WebpContainer.check(used > 0, "a code without symbols");
+        WebpDamage.check(used > 0, "a code without symbols");
         counts[0] = 0;
         short[] sorted = sorted(lengths, counts, used);
         if (used == 1) {
@@ -93,10 +93,10 @@ final class PrefixCode {
         int longest = 0;
         for (int length = 1; length <= LONGEST; length++) {
             open = 2 * open - counts[length];
-            WebpContainer.check(open >= 0, "a code with too many symbols");
+            WebpDamage.check(open >= 0, "a code with too many symbols");
             longest = counts[length] > 0 ? length : longest;
         }
-        WebpContainer.check(open == 0, "a code with too few symbols");
+        WebpDamage.check(open == 0, "a code with too few symbols");
         return new PrefixCode(lookup(counts, sorted, Math.min(longest, LOOKUP_BITS)), counts, sorted);
     }
 
@@ -159,6 +159,6 @@ final class PrefixCode {
             first = (first + counts[length]) << 1;
             code <<= 1;
         }
-        throw WebpContainer.damaged("a code of no symbol");
+        throw WebpDamage.damaged("a code of no symbol");
     }
 }

@@ -48,7 +48,7 @@ final class Vp8Bits {
 
     private void load() throws IOException {
         if (at >= end) {
-            throw WebpContainer.truncated();
+            throw WebpDamage.truncated();
         }
         value = value << Byte.SIZE | (data[at++] & 0xff);
         spare += Byte.SIZE;

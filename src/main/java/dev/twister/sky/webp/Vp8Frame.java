@@ -37,10 +37,10 @@ final class Vp8Frame {
 
     private Vp8Frame(byte[] data, int from, int to) throws IOException {
         int tag = number(data, from, 3);
-        WebpContainer.check((tag & 1) == 0 && (tag >> 1 & 7) <= 3, "no key frame of VP8");
-        WebpContainer.check((tag >> 4 & 1) == 1, "a frame that is not shown");
+        WebpDamage.check((tag & 1) == 0 && (tag >> 1 & 7) <= 3, "no key frame of VP8");
+        WebpDamage.check((tag >> 4 & 1) == 1, "a frame that is not shown");
         for (int i = 0; i < SIGNATURE.length; i++) {
-            WebpContainer.check((data[from + TAG_BYTES + i] & 0xff) == SIGNATURE[i], "no VP8 frame");
+            WebpDamage.check((data[from + TAG_BYTES + i] & 0xff) == SIGNATURE[i], "no VP8 frame");
         }
         width = number(data, from + 6, 2) & 0x3fff;
         height = number(data, from + 8, 2) & 0x3fff;
@@ -49,7 +49,7 @@ final class Vp8Frame {
         int first = from + HEADER_BYTES;
         int rest = first + (tag >>> 5);
         if (rest > to) {
-            throw WebpContainer.truncated();
+            throw WebpDamage.truncated();
         }
         bits = new Vp8Bits(data, first, rest);
         header = new Vp8Header(bits);
@@ -82,7 +82,7 @@ final class Vp8Frame {
         Vp8Bits[] partitions = new Vp8Bits[count];
         int start = from + 3 * (count - 1);
         if (start >= to) {
-            throw WebpContainer.truncated();
+            throw WebpDamage.truncated();
         }
         for (int i = 0; i < count; i++) {
             int end = i == count - 1 ? to : Math.min(to, start + number(data, from + 3 * i, 3));

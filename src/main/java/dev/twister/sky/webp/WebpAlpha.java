@@ -14,17 +14,17 @@ final class WebpAlpha {
 
     /** Decodes a chunk's data into the alpha of texels. */
     static void put(byte[] chunk, int width, int height, int[] argb) throws IOException {
-        WebpContainer.check(chunk.length > 1 && (chunk[0] & 0xc0) == 0, "its alpha has no data");
+        WebpDamage.check(chunk.length > 1 && (chunk[0] & 0xc0) == 0, "its alpha has no data");
         int compression = chunk[0] & 3;
         int filter = chunk[0] >> 2 & 3;
         byte[] alpha = new byte[width * height];
         if (compression == PLAIN) {
             if (chunk.length - 1 < alpha.length) {
-                throw WebpContainer.truncated();
+                throw WebpDamage.truncated();
             }
             System.arraycopy(chunk, 1, alpha, 0, alpha.length);
         } else {
-            WebpContainer.check(compression == LOSSLESS, "an unknown compression of its alpha");
+            WebpDamage.check(compression == LOSSLESS, "an unknown compression of its alpha");
             int[] green = Lossless.decode(new LosslessBits(chunk, 1, chunk.length), width, height);
             for (int i = 0; i < alpha.length; i++) {
                 alpha[i] = (byte) (green[i] >> 8);

@@ -45,19 +45,20 @@ public final class WebpContainer {
     public WebpContainer(byte[] file) throws IOException {
         this.file = file;
         long end = file.length < FILE_HEADER ? 0 : CHUNK_HEADER + Integer.toUnsignedLong(number(4, 4));
-        check(end >= FILE_HEADER + CHUNK_HEADER, "its length is missing");
+        WebpDamage.check(end >= FILE_HEADER + CHUNK_HEADER, "its length is missing");
         if (end > file.length) {
-            throw truncated();
+            throw WebpDamage.truncated();
         }
         Chunk all = new Chunk("RIFF", FILE_HEADER, (int) end);
         Optional<Chunk> extended = find(all, "VP8X").filter(chunk -> chunk.from() == FILE_HEADER + CHUNK_HEADER);
-        check(extended.isEmpty() || extended.get().length() >= EXTENDED_BYTES, "its VP8X chunk is too short");
+        WebpDamage.check(
+                extended.isEmpty() || extended.get().length() >= EXTENDED_BYTES, "its VP8X chunk is too short");
         boolean animated = extended.isPresent() && (number(extended.get().from(), 1) & ANIMATED) != 0;
         profile = extended.isPresent() ? find(all, "ICCP") : Optional.empty();
         exif = extended.isPresent() ? find(all, "EXIF") : Optional.empty();
         if (animated) {
-            Chunk frame = find(all, "ANMF").orElseThrow(() -> damaged("an animation without a frame"));
-            check(frame.length() > FRAME_HEADER, "a frame that is too short");
+            Chunk frame = find(all, "ANMF").orElseThrow(() -> WebpDamage.damaged("an animation without a frame"));
+            WebpDamage.check(frame.length() > FRAME_HEADER, "a frame that is too short");
             picture = picture(new Chunk(frame.type(), frame.from() + FRAME_HEADER, frame.to()));
         } else {
             picture = picture(all);
@@ -65,7 +66,7 @@ public final class WebpContainer {
         size = size(picture.texels());
         place = animated ? framePlace(extended.get()) : new Place(size.width(), size.height(), 0, 0);
         if (extended.isPresent() && !animated) {
-            check(
+            WebpDamage.check(
                     number(extended.get().from() + 4, 3) + 1 == size.width()
                             && number(extended.get().from() + 7, 3) + 1 == size.height(),
                     "its VP8X chunk has another size than the picture");
@@ -144,7 +145,7 @@ public final class WebpContainer {
                 number(extended.from() + 7, 3) + 1,
                 2 * number(header, 3),
                 2 * number(header + 3, 3));
-        check(
+        WebpDamage.check(
                 found.x() + size.width() <= found.width() && found.y() + size.height() <= found.height(),
                 "a frame beyond the canvas");
         return found;
@@ -159,21 +160,24 @@ public final class WebpContainer {
                     lossy.get());
         }
         return new Picture(
-                Optional.empty(), find(parent, "VP8L").orElseThrow(() -> damaged("it has no picture of VP8 or VP8L")));
+                Optional.empty(),
+                find(parent, "VP8L").orElseThrow(() -> WebpDamage.damaged("it has no picture of VP8 or VP8L")));
     }
 
     /** The width, height and alpha of a picture; without texels. */
     private WebpImage size(Chunk texels) throws IOException {
         if (texels.type().equals("VP8L")) {
-            check(texels.length() > Lossless.HEADER_BYTES && number(texels.from(), 1) == Lossless.SIGNATURE, "no VP8L");
+            WebpDamage.check(
+                    texels.length() > Lossless.HEADER_BYTES && number(texels.from(), 1) == Lossless.SIGNATURE,
+                    "no VP8L");
             int bits = number(texels.from() + 1, 4);
-            check(bits >>> 29 == 0, "an unknown version of VP8L");
+            WebpDamage.check(bits >>> 29 == 0, "an unknown version of VP8L");
             return new WebpImage((bits & 0x3fff) + 1, (bits >>> 14 & 0x3fff) + 1, new int[0], (bits >>> 28 & 1) == 1);
         }
-        check(texels.length() > Vp8Frame.HEADER_BYTES, "a VP8 frame that is too short");
+        WebpDamage.check(texels.length() > Vp8Frame.HEADER_BYTES, "a VP8 frame that is too short");
         int width = number(texels.from() + 6, 2) & 0x3fff;
         int height = number(texels.from() + 8, 2) & 0x3fff;
-        check(width > 0 && height > 0, "a picture of no texels");
+        WebpDamage.check(width > 0 && height > 0, "a picture of no texels");
         return new WebpImage(width, height, new int[0], picture.alpha().isPresent());
     }
 
@@ -184,7 +188,7 @@ public final class WebpContainer {
             int from = (int) at + CHUNK_HEADER;
             long length = Integer.toUnsignedLong(number((int) at + 4, 4));
             if (from + length > parent.to()) {
-                throw truncated();
+                throw WebpDamage.truncated();
             }
             String found = new String(file, (int) at, 4, StandardCharsets.ISO_8859_1);
             if (found.equals(type)) {
@@ -206,19 +210,5 @@ public final class WebpContainer {
             number |= Byte.toUnsignedInt(file[at + i]) << (8 * i);
         }
         return number;
-    }
-
-    static IOException truncated() {
-        return new IOException("the WebP ends before its last texel");
-    }
-
-    static IOException damaged(String what) {
-        return new IOException("a damaged WebP (" + what + ")");
-    }
-
-    static void check(boolean right, String wrong) throws IOException {
-        if (!right) {
-            throw damaged(wrong);
-        }
     }
 }

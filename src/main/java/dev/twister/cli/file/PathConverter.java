@@ -1,4 +1,4 @@
-package dev.twister.cli.option;
+package dev.twister.cli.file;
 
 import java.io.IOException;
 import java.net.URI;

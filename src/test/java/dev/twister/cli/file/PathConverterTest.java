@@ -1,4 +1,4 @@
-package dev.twister.cli.option;
+package dev.twister.cli.file;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
