@@ -25,14 +25,14 @@ import javax.lang.model.type.TypeKind;
 final class Expressions {
     private static final Map<Tree.Kind, String> COMPARISONS = Map.of(
             Tree.Kind.LESS_THAN, "Less",
-            Tree.Kind.LESS_THAN_EQUAL, "AtMost",
+            Tree.Kind.LESS_THAN_EQUAL, "NotGreater",
             Tree.Kind.GREATER_THAN, "Greater",
-            Tree.Kind.GREATER_THAN_EQUAL, "AtLeast",
+            Tree.Kind.GREATER_THAN_EQUAL, "NotLess",
             Tree.Kind.EQUAL_TO, "Equal",
             Tree.Kind.NOT_EQUAL_TO, "NotEqual");
 
     private static final Map<String, String> SYMBOLS =
-            Map.of("Less", "<", "AtMost", "<=", "Greater", ">", "AtLeast", ">=", "Equal", "==", "NotEqual", "!=");
+            Map.of("Less", "<", "NotGreater", "<=", "Greater", ">", "NotLess", ">=", "Equal", "==", "NotEqual", "!=");
 
     private final Sources sources;
     private final Builder builder;

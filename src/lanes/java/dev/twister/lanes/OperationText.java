@@ -13,7 +13,7 @@ final class OperationText {
     static final int WIDTH = 16;
 
     private static final Map<String, String> COMPARISONS =
-            Map.of("Less", "LT", "AtMost", "LE", "Greater", "GT", "AtLeast", "GE", "Equal", "EQ", "NotEqual", "NE");
+            Map.of("Less", "LT", "NotGreater", "LE", "Greater", "GT", "NotLess", "GE", "Equal", "EQ", "NotEqual", "NE");
 
     /** The comparison of exchanged sides. */
     private static final Map<String, String> EXCHANGED =
