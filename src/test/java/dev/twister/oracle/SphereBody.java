@@ -18,6 +18,7 @@ record SphereBody(Vector center, double radius, OracleMaterial material) impleme
     }
 
     /** Whether another body is a sphere in the same place. */
+    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
     boolean isTwinOf(Body other) {
         return other != null
                 && other != this
