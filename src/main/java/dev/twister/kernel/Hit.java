@@ -35,6 +35,7 @@ public final class Hit {
                 path,
                 limit,
                 (variant & Variant.WALK) != 0 ? Layout.FIRST_SPHERE : (int) frame[Layout.BODIES],
+                frame,
                 bodies,
                 looks,
                 variant);
@@ -59,14 +60,15 @@ public final class Hit {
         return leaving;
     }
 
-    private static int amongFirst(float[] path, float limit, int count, float[] bodies, float[] looks, int variant) {
+    private static int amongFirst(
+            float[] path, float limit, int count, float[] frame, float[] bodies, float[] looks, int variant) {
         int ignored = ignored(path, variant);
         float closest = limit;
         int hit = Layout.NOTHING;
         for (int body = 0; body < count; body++) {
             if (body != ignored) {
                 Aspect.count(path, Aspect.TESTS, 1, variant);
-                float distance = distance(path, body, bodies, looks, variant);
+                float distance = distance(path, body, frame, bodies, looks, variant);
                 hit = distance < closest ? body : hit;
                 closest = distance < closest ? distance : closest;
             }
@@ -97,7 +99,7 @@ public final class Hit {
         return hit;
     }
 
-    private static float distance(float[] path, int body, float[] bodies, float[] looks, int variant) {
+    private static float distance(float[] path, int body, float[] frame, float[] bodies, float[] looks, int variant) {
         int place = Layout.PLACE_STRIDE * body;
         float distance;
         if (body == Layout.PLANE) {
@@ -111,13 +113,14 @@ public final class Hit {
                     path[Layout.DIRECTION + 1],
                     path[Layout.DIRECTION + 2]);
         } else {
-            distance = sphere(path, place, body, bodies, looks, variant);
+            distance = sphere(path, place, body, frame, bodies, looks, variant);
         }
         return distance;
     }
 
     /** Distance to a sphere given by center and radius in an array. Transmitting spheres are also hit from inside. */
-    private static float sphere(float[] path, int at, int body, float[] bodies, float[] looks, int variant) {
+    private static float sphere(
+            float[] path, int at, int body, float[] frame, float[] bodies, float[] looks, int variant) {
         float x = bodies[at] - path[Layout.ORIGIN];
         float y = bodies[at + 1] - path[Layout.ORIGIN + 1];
         float z = bodies[at + 2] - path[Layout.ORIGIN + 2];
@@ -132,6 +135,9 @@ public final class Hit {
             if ((transmits & (own | (distance == Intersection.MISS ? 1 : 0))) != 0) {
                 distance = Intersection.sphereFromInside(x, y, z, radius, directionX, directionY, directionZ);
             }
+        }
+        if ((variant & Variant.TWINS) != 0) {
+            distance = Twin.distance(path, at, body, distance, frame, bodies, looks);
         }
         return distance;
     }
@@ -183,7 +189,7 @@ public final class Hit {
                 next = near <= closest ? link + swapped : Layout.NO_NODE;
             }
             if (spheres > 0) {
-                hit = inLeaf(path, hit, link, spheres, bodies, looks, variant);
+                hit = inLeaf(path, hit, link, spheres, frame, bodies, looks, variant);
                 closest = path[Layout.DISTANCE];
             }
             while (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
@@ -198,14 +204,14 @@ public final class Hit {
 
     /** The closest hit so far, or a closer sphere of the leaf. */
     private static int inLeaf(
-            float[] path, int first, int link, int spheres, float[] bodies, float[] looks, int variant) {
+            float[] path, int first, int link, int spheres, float[] frame, float[] bodies, float[] looks, int variant) {
         int ignored = ignored(path, variant);
         float closest = path[Layout.DISTANCE];
         int hit = first;
         for (int sphere = 0; sphere < spheres; sphere++) {
             int at = link + Layout.SPHERE_STRIDE * sphere;
             int body = (int) bodies[at + Layout.SPHERE_BODY];
-            float distance = sphere(path, at, body, bodies, looks, variant);
+            float distance = sphere(path, at, body, frame, bodies, looks, variant);
             if (distance <= closest) {
                 int closer = (distance < closest ? 1 : 0) | (body < hit ? 1 : 0);
                 int taken = closer & (body != ignored ? 1 : 0);

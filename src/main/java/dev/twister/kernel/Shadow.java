@@ -221,7 +221,7 @@ public final class Shadow {
             int root = (int) frame[Layout.ROOT];
             int link = (int) bodies[root + Layout.NODE_LINK];
             int spheres = (int) bodies[root + Layout.NODE_SPHERES];
-            count = addLeaf(path, own, 0, link, spheres, scratch, bodies, looks, variant);
+            count = addLeaf(path, own, 0, link, spheres, scratch, frame, bodies, looks, variant);
         }
         if ((variant & Variant.WALK) != 0) {
             count = onWalk(path, own, scratch, frame, bodies, looks, variant);
@@ -279,7 +279,7 @@ public final class Shadow {
                 next = near < end ? link + swapped : Layout.NO_NODE;
             }
             if (spheres > 0) {
-                count = addLeaf(path, own, count, link, spheres, scratch, bodies, looks, variant);
+                count = addLeaf(path, own, count, link, spheres, scratch, frame, bodies, looks, variant);
             }
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
@@ -303,6 +303,7 @@ public final class Shadow {
             int link,
             int spheres,
             float[] scratch,
+            float[] frame,
             float[] bodies,
             float[] looks,
             int variant) {
@@ -310,7 +311,7 @@ public final class Shadow {
         for (int sphere = 0; sphere < spheres && count != ALL_HIDDEN; sphere++) {
             int at = link + Layout.SPHERE_STRIDE * sphere;
             int body = (int) bodies[at + Layout.SPHERE_BODY];
-            if (body != own) {
+            if (isOwn(own, at, body, frame, bodies, variant) == 0) {
                 Aspect.count(path, Aspect.TESTS, 1, variant);
                 float x = bodies[at] - path[Layout.POINT];
                 float y = bodies[at + 1] - path[Layout.POINT + 1];
@@ -336,6 +337,15 @@ public final class Shadow {
             }
         }
         return count;
+    }
+
+    /** 1 if a sphere is the body that the point lies on, or in its place, else 0. */
+    static int isOwn(int own, int at, int body, float[] frame, float[] bodies, int variant) {
+        int same = body == own ? 1 : 0;
+        if ((variant & Variant.TWINS) != 0) {
+            same = same | Twin.is(own, at, body, frame, bodies);
+        }
+        return same;
     }
 
     private static void remember(int candidate, float a, float u, float w, float radius, float[] scratch) {

@@ -102,7 +102,7 @@ public final class ShadowRay {
             for (int sphere = 0; sphere < spheres && lit != 0; sphere++) {
                 int at = link + Layout.SPHERE_STRIDE * sphere;
                 int body = (int) bodies[at + Layout.SPHERE_BODY];
-                if (body != own) {
+                if (Shadow.isOwn(own, at, body, frame, bodies, variant) == 0) {
                     Aspect.count(path, Aspect.TESTS, 1, variant);
                     float toX = bodies[at] - pointX;
                     float toY = bodies[at + 1] - pointY;

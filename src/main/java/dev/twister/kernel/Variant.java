@@ -29,7 +29,10 @@ public final class Variant {
     /** Some mesh is not opaque; implies {@link #MAPS} and {@link #MESHES}. */
     public static final int MASKS = 128;
 
-    private static final int ASPECT_SHIFT = 8;
+    /** Some spheres are in one place, one of which transmits; implies {@link #MATERIALS}. */
+    public static final int TWINS = 256;
+
+    private static final int ASPECT_SHIFT = 9;
 
     private Variant() {}
 

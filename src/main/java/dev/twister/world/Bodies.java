@@ -18,7 +18,8 @@ import dev.twister.world.hierarchy.SphereHierarchy;
  * @param room maximum number of bodies without meshes and further lights; the second light is numbered from here
  * @param end one more than the highest body number, including meshes
  * @param firstMesh the first body after the lights, or {@link Layout#NO_MESHES} if no mesh is visible
- * @param materials bits of {@link Variant}: what the materials of all bodies, present or not, need of the kernel
+ * @param materials bits of {@link Variant}: what the materials of all bodies, present or not, need of the kernel, and
+ *     whether present spheres are in one place
  * @param origin origin of all coordinates of the input, in the scene's coordinates; near the camera, because floats
  *     lose precision far away
  */

@@ -111,9 +111,9 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
     }
 
     /**
-     * The kernel's argument {@code variant}: bits of {@link Variant}. They stay the same while spheres are poured,
-     * because a device would compile the kernel again. With few spheres the brute-force loop is inlined into the
-     * kernel, which the traversal is too large for.
+     * The kernel's argument {@code variant}: bits of {@link Variant}. They stay the same while spheres are poured
+     * (unless two meet in one place), because a device would compile the kernel again. With few spheres the brute-force
+     * loop is inlined into the kernel, which the traversal is too large for.
      *
      * @param linear whether the output is linear floats
      */

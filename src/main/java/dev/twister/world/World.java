@@ -17,6 +17,7 @@ import dev.twister.world.table.Emitters;
 import dev.twister.world.table.LookTable;
 import dev.twister.world.table.MeshBody;
 import dev.twister.world.table.PlaceTable;
+import dev.twister.world.table.TwinTable;
 
 /** The mutable state between frames, initialized from a scene. For use by one thread; engines get snapshots. */
 public final class World {
@@ -25,6 +26,7 @@ public final class World {
     private final Vector3 origin;
     private final PlaceTable places;
     private final LookTable looks = new LookTable();
+    private final TwinTable twins = new TwinTable();
     private final EmitterTable emitters = new EmitterTable();
     private Scene scene;
     private SceneImages images;
@@ -266,7 +268,7 @@ public final class World {
                 places.room(),
                 places.end(),
                 places.firstMesh(),
-                looks.materials(),
+                looks.materials() | twins.variant(places.floats(), looks.looks(), places.room(), places.present()),
                 origin,
                 places.hierarchy());
         float[] values = values(bodies);

@@ -36,20 +36,19 @@ final class BruteForce {
     private record Scattered(Vector direction, Color part, boolean inside) {}
 
     /** Returns the radiance along a view ray, by one path. */
-    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
     Color color(Ray view) {
         Ray ray = view;
         Color throughput = new Color(1, 1, 1);
         Color found = Color.BLACK;
-        Body leaving = null;
-        boolean inside = false;
+        Departure departure = Departure.CAMERA;
         OracleMedia media = OracleMedia.around(view.origin(), bodies);
         for (int bounce = 0; throughput.strongest() > 0; bounce++) {
-            Body body = closest(ray, leaving, inside);
+            Departure.Met met = departure.closest(ray, bodies);
+            Body body = met.body();
             if (body == null) {
                 return found.plus(throughput.times(sky.color(ray.direction())));
             }
-            double distance = body == leaving ? body.distanceInside(ray) : body.distance(ray);
+            double distance = met.distance();
             Vector point = ray.at(distance);
             Vector normal = body.normal(ray, point);
             boolean fromInside = body.isMetFromInside(ray, normal);
@@ -69,9 +68,9 @@ final class BruteForce {
             boolean right = next.direction().dot(face) > 0 != passes;
             throughput = right ? throughput.times(next.part()) : Color.BLACK;
             ray = new Ray(point, next.direction());
-            leaving = body;
-            inside = next.inside();
-            media = inside == fromInside ? media : media.cross(body, inside);
+            boolean crossed = next.inside() != fromInside;
+            departure = new Departure(body, next.inside(), crossed);
+            media = crossed ? media.cross(body, next.inside()) : media;
         }
         return found;
     }
@@ -132,22 +131,5 @@ final class BruteForce {
         double level = Math.sqrt(1 - z * z);
         return normal.plus(new Vector(level * Math.cos(turn), level * Math.sin(turn), z))
                 .normalized();
-    }
-
-    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
-    private Body closest(Ray ray, Body leaving, boolean inside) {
-        Body closest = null;
-        double closestDistance = Body.MISS;
-        for (Body body : bodies) {
-            double distance = body.distance(ray);
-            if (body == leaving) {
-                distance = inside ? body.distanceInside(ray) : Body.MISS;
-            }
-            if (distance < closestDistance) {
-                closest = body;
-                closestDistance = distance;
-            }
-        }
-        return closest;
     }
 }

@@ -49,7 +49,7 @@ final class OracleShadow {
         for (Body body : bodies) {
             boolean meets = switch (body) {
                 case PlaneBody plane -> plane.separates(point, sample);
-                case SphereBody sphere -> sphere.distance(shadowRay) < distance;
+                case SphereBody sphere -> sphere.distance(shadowRay) < distance && !sphere.isTwinOf(own);
                 case TriangleBody triangle -> triangle.distance(shadowRay) < distance;
             };
             if (meets

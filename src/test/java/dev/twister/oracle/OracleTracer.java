@@ -125,14 +125,14 @@ final class OracleTracer {
 
     /** Traces a view ray. */
     Color color(ViewRay viewRay) {
-        return color(viewRay.ray(), null, false, cameraMedia, 0, ALL, viewRay.numbers());
+        return color(viewRay.ray(), Departure.CAMERA, cameraMedia, 0, ALL, viewRay.numbers());
     }
 
     /** Returns the value of a view, or of a stage at the first hit. Not thread-safe, as it counts bounces. */
-    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
     Color value(ViewRay viewRay, StageOrView picture) {
         Ray ray = viewRay.ray();
-        Body body = closest(ray, null, false);
+        Departure.Met met = Departure.CAMERA.closest(ray, bodies);
+        Body body = met.body();
         if (picture == StageOrView.BOUNCES) {
             long before = followed.sum();
             color(viewRay);
@@ -164,25 +164,19 @@ final class OracleTracer {
     }
 
     /**
-     * Traces a ray that leaves a body, inside it or not; a view ray leaves none (null).
+     * Traces a ray.
      *
      * @param media what it is in
      * @param throughput the ray's weight in the pixel
      */
-    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
     private Color color(
-            Ray ray,
-            Body leaving,
-            boolean inside,
-            OracleMedia media,
-            int bounce,
-            Color throughput,
-            SampleNumbers numbers) {
-        Body body = closest(ray, leaving, inside);
+            Ray ray, Departure departure, OracleMedia media, int bounce, Color throughput, SampleNumbers numbers) {
+        Departure.Met met = departure.closest(ray, bodies);
+        Body body = met.body();
         if (body == null) {
             return sky.color(ray.direction());
         }
-        double distance = body == leaving ? body.distanceInside(ray) : body.distance(ray);
+        double distance = met.distance();
         if (isLight(body)) {
             return body.material().color().times(media.passed(distance));
         }
@@ -274,26 +268,9 @@ final class OracleTracer {
             return Color.BLACK;
         }
         followed.increment();
-        return color(new Ray(place.point(), direction), place.body(), inside, media, bounce + 1, rest, numbers)
+        Departure departure = new Departure(place.body(), inside, inside != place.fromInside());
+        return color(new Ray(place.point(), direction), departure, media, bounce + 1, rest, numbers)
                 .times(part);
-    }
-
-    /** Returns the closest hit, with the lower index on a tie, or null. */
-    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
-    private Body closest(Ray ray, Body leaving, boolean inside) {
-        Body closest = null;
-        double closestDistance = Body.MISS;
-        for (Body body : bodies) {
-            double distance = body.distance(ray);
-            if (body == leaving) {
-                distance = inside ? body.distanceInside(ray) : Body.MISS;
-            }
-            if (distance < closestDistance) {
-                closest = body;
-                closestDistance = distance;
-            }
-        }
-        return closest;
     }
 
     private Place place(Ray ray, Body body, Vector surfacePoint) {

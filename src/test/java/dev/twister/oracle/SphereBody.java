@@ -17,6 +17,16 @@ record SphereBody(Vector center, double radius, OracleMaterial material) impleme
         return inFront(root(ray, 1));
     }
 
+    /** Whether another body is a sphere in the same place. */
+    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
+    boolean isTwinOf(Body other) {
+        return other != null
+                && other != this
+                && other instanceof SphereBody(Vector otherCenter, double otherRadius, OracleMaterial _)
+                && center.equals(otherCenter)
+                && radius == otherRadius;
+    }
+
     private static double inFront(double root) {
         return root > 0 ? root : MISS;
     }

@@ -63,7 +63,7 @@ public final class Declined {
             takeBodies(input.bodies());
         }
         int toneMap = (int) input.view().frame()[Layout.TONE_MAP];
-        hits = (input.variant(false) & Variant.MASKS) != 0
+        hits = (input.variant(false) & (Variant.MASKS | Variant.TWINS)) != 0
                 || occluders.count > MOST_OCCLUDERS
                 || input.view().frame()[Layout.CAMERA_MEDIUM] > Layout.NOTHING
                 || isCameraInside(input)
