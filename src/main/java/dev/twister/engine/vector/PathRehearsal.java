@@ -7,21 +7,27 @@ import dev.twister.world.FrameInput;
 import java.util.Optional;
 
 /**
- * Follows paths in made lanes while the kernel draws, until the JIT compiler has compiled them: before that they are
- * hundreds of times slower. Both give the same picture, so that it may change at any tile. One thread rehearses,
- * between its tiles, on the paths of the tile that the kernel has just drawn; nothing of that is stored.
+ * Follows paths in made lanes while packets and the kernel draw, until the JIT compiler has compiled them: before that
+ * they are hundreds of times slower. Both give the same picture, so that it may change at any tile. One thread
+ * rehearses, between its tiles, on the paths of the tile that was drawn just before; nothing of that is stored.
  */
 final class PathRehearsal {
-    /** Drawing by the kernel before it, which lets a short render have all of the processor. */
-    private static final long FIRST_NANOS = 2_000_000_000L;
+    /** Drawing by packets and the kernel before it, which lets all but long renders have the whole processor. */
+    private static final long FIRST_NANOS = 20_000_000_000L;
+
+    /** Limit of what is spent at once without drawing. */
+    private static final long MOST_CREDIT_NANOS = 2_000_000_000L;
+
+    /** The rehearsal gives up after this much of its own time, so that a render loses no more by it. */
+    private static final long MOST_NANOS = 40_000_000_000L;
 
     /** A tile's samples that are followed. */
     private static final int MOST_SAMPLES = 4;
 
-    /** Rehearsals of whole tiles that must be faster than the kernel. */
+    /** Rehearsals of whole tiles that must be faster. */
     private static final int WINS = 3;
 
-    /** Rehearsals that are at most so many times slower than the kernel go on with more pixels. */
+    /** Rehearsals that are at most this many times slower go on with more pixels. */
     private static final int NEARLY = 4;
 
     private volatile boolean isOver;
@@ -32,6 +38,7 @@ final class PathRehearsal {
     private long kernelNanos;
     private long creditNanos;
     private long spentNanos;
+    private long allNanos;
     private long nanosToBeat;
 
     /**
@@ -43,20 +50,20 @@ final class PathRehearsal {
         this.isOver = isOver;
     }
 
-    /** Whether made lanes are faster than the kernel. */
+    /** Whether made lanes have been faster than packets and the kernel. */
     boolean isOver() {
         return isOver;
     }
 
     /**
-     * Goes on, on the thread that rehearses, about as long as the kernel has drawn a tile.
+     * Goes on, on the thread that rehearses, about as long as a tile was drawn.
      *
-     * @param nanos how long the kernel has drawn the tile
+     * @param nanos how long the tile was drawn
      */
     @SuppressWarnings("ReferenceEquality") // inputs are immutable
     void goOn(PathTile paths, Drawing drawing, Tile tile, long nanos) {
         kernelNanos += nanos;
-        creditNanos = Math.min(creditNanos + nanos, FIRST_NANOS);
+        creditNanos = Math.min(creditNanos + nanos, MOST_CREDIT_NANOS);
         if (input.isEmpty() || input.get() != drawing.input) {
             input = Optional.of(drawing.input);
             isRunning = false;
@@ -66,6 +73,7 @@ final class PathRehearsal {
                 && !drawing.stop.isAsked()
                 && kernelNanos > FIRST_NANOS
                 && creditNanos > 0
+                && allNanos < MOST_NANOS
                 && (isRunning || isWhole)) {
             if (!isRunning) {
                 int samples = Math.min(MOST_SAMPLES, drawing.pixelSamples);
@@ -78,6 +86,7 @@ final class PathRehearsal {
             paths.step(drawing);
             long spent = System.nanoTime() - start;
             spentNanos += spent;
+            allNanos += spent;
             creditNanos -= spent;
             if (!paths.goesOn()) {
                 isRunning = false;

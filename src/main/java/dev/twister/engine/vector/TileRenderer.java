@@ -19,6 +19,7 @@ final class TileRenderer {
     private final Tile tile = bench.tile;
     private final BounceRenderer bounces = new BounceRenderer(bench);
     private final PathTile paths = new PathTile(bench, bounces);
+    private final PacketPaths packetPaths = new PacketPaths(bench, bounces);
     private final PathRehearsal rehearsal;
     private final boolean rehearses;
 
@@ -71,7 +72,11 @@ final class TileRenderer {
             paths.draw(drawing);
         } else {
             long start = System.nanoTime();
-            bench.handover.drawTile(tile, drawing);
+            if (drawing.declined.arePacketPaths()) {
+                bench.handover.drawTile(tile, drawing);
+            } else {
+                packetPaths.draw(drawing);
+            }
             if (rehearses) {
                 rehearsal.goOn(paths, drawing, tile, System.nanoTime() - start);
             }

@@ -63,6 +63,15 @@ final class PathsInLanesTest {
         }
     }
 
+    /** As it is before made lanes are warm. */
+    @ParameterizedTest
+    @ValueSource(strings = {"weekend", "cornell", "maps"})
+    void packetsWithTheKernelAreTheSame(String scene) {
+        try (Engine vector = VectorEngines.open(2)) {
+            assertSame(vector, shipped(scene, 39, 27, 2));
+        }
+    }
+
     /** Guides of denoising, and a range of the samples. */
     @Test
     void guidesAreTheSame() {

@@ -36,6 +36,7 @@ public final class Declined {
     private boolean crowded;
     private boolean any;
     private boolean hits;
+    private boolean packetPaths;
     private boolean frame;
 
     /**
@@ -69,6 +70,7 @@ public final class Declined {
                 || isCameraInside(input)
                 || isCameraOnASurface(input);
         boolean picture = input.aspect() == Aspect.FULL;
+        packetPaths = hits || !picture;
         frame = input.tracesPaths()
                 ? !picture && input.aspect() < Aspect.GUIDED
                 : !picture || hits || toneMap < Tone.CLAMP || toneMap > Tone.ACES;
@@ -191,6 +193,14 @@ public final class Declined {
     /** Whether packets do not find the frame's closest hits. */
     public boolean areHits() {
         return hits;
+    }
+
+    /**
+     * Whether the kernel follows the frame's paths until made lanes are warm: with guides or layers, or without
+     * packets.
+     */
+    public boolean arePacketPaths() {
+        return packetPaths;
     }
 
     /** Whether any body is declined. */
