@@ -14,7 +14,7 @@ final class RareLight {
     /** Tiles to the left and right that count. */
     private static final int NEIGHBORS = 2;
 
-    /** A pixel has found rare light if it deviates so many times as much as a usual pixel of its tile. */
+    /** A pixel has found rare light if it deviates by this factor more than a usual pixel of its tile. */
     private static final double RARE = 16;
 
     /** Standard deviations of the number of finds that may be missing, as the number is a random one. */

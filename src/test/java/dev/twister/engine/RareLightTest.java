@@ -61,7 +61,7 @@ class RareLightTest {
         assertThat(noise[6]).isZero();
     }
 
-    /** Tiles in two rows, one of which has so many finds of brightness 1. */
+    /** Tiles in two rows, one of which has a number of finds of brightness 1. */
     private static RareLight of(int finds) {
         Finds none = Finds.of(new double[3 * PIXELS]);
         Finds[] tiles = new Finds[2 * ACROSS];

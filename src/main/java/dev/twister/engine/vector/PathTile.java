@@ -57,7 +57,7 @@ final class PathTile {
     /**
      * Begins with the first samples of the tile's first pixels.
      *
-     * @param pixels at most so many
+     * @param pixels limit of their number
      * @param isStored whether the pixels are stored in the frame
      */
     void begin(Drawing drawing, int pixels, int newSamples, boolean isStored) {

@@ -72,7 +72,7 @@ final class TileRenderer {
             paths.draw(drawing);
         } else {
             long start = System.nanoTime();
-            if (drawing.declined.arePacketPaths()) {
+            if (drawing.declined.areKernelPaths()) {
                 bench.handover.drawTile(tile, drawing);
             } else {
                 packetPaths.draw(drawing);

@@ -36,7 +36,7 @@ public final class Declined {
     private boolean crowded;
     private boolean any;
     private boolean hits;
-    private boolean packetPaths;
+    private boolean kernelPaths;
     private boolean frame;
 
     /**
@@ -70,7 +70,7 @@ public final class Declined {
                 || isCameraInside(input)
                 || isCameraOnASurface(input);
         boolean picture = input.aspect() == Aspect.FULL;
-        packetPaths = hits || !picture;
+        kernelPaths = hits || !picture;
         frame = input.tracesPaths()
                 ? !picture && input.aspect() < Aspect.GUIDED
                 : !picture || hits || toneMap < Tone.CLAMP || toneMap > Tone.ACES;
@@ -199,8 +199,8 @@ public final class Declined {
      * Whether the kernel follows the frame's paths until made lanes are warm: with guides or layers, or without
      * packets.
      */
-    public boolean arePacketPaths() {
-        return packetPaths;
+    public boolean areKernelPaths() {
+        return kernelPaths;
     }
 
     /** Whether any body is declined. */
