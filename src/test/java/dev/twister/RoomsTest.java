@@ -14,12 +14,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Guides;
 import dev.twister.kernel.Instance;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.kernel.Variant;
+import dev.twister.kernel.Views;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -465,7 +465,7 @@ class RoomsTest {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
                 .or(resideInAnyPackage(
                         "dev.twister.world..", "dev.twister.scene..", "dev.twister.sky", "dev.twister.mesh"))
-                .or(belongToAnyOf(Aspect.class, Guides.class, Instance.class, Layout.class, Tone.class, Variant.class));
+                .or(belongToAnyOf(Views.class, Guides.class, Instance.class, Layout.class, Tone.class, Variant.class));
         classes()
                 .that()
                 .resideInAPackage("dev.twister.world..")

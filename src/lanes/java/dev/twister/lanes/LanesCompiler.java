@@ -82,13 +82,13 @@ public final class LanesCompiler {
 
     /** All variants of traced paths that are pictures, with and without further layers. */
     private static List<Integer> variants(Statements constants) {
-        int shift = constants.constant("Variant", "ASPECT_SHIFT");
+        int shift = constants.constant("Variant", "VIEW_SHIFT");
         int always = constants.constant("Variant", "PATH") | constants.constant("Variant", "MATERIALS");
         List<Integer> variants = new ArrayList<>();
         for (int bits = 0; bits < 1 << shift; bits++) {
-            for (String aspect : List.of("FULL", "GUIDED", "LAYERED")) {
+            for (String view : List.of("FULL", "GUIDED", "LAYERED")) {
                 if ((bits & always) == always) {
-                    variants.add(bits | constants.constant("Aspect", aspect) << shift);
+                    variants.add(bits | constants.constant("Views", view) << shift);
                 }
             }
         }

@@ -3,9 +3,9 @@ package dev.twister.explain;
 import dev.twister.engine.JvmKernel;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameStop;
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
+import dev.twister.kernel.Views;
 import dev.twister.scene.Rgb;
 import dev.twister.world.FrameInput;
 import dev.twister.world.StageOrView;
@@ -47,7 +47,7 @@ public record PixelPath(
         Objects.checkIndex(column, input.width());
         Objects.checkIndex(row, input.height());
         Objects.checkIndex(sample, input.samplesPerPixel());
-        FrameInput full = input.aspect() == Aspect.FULL ? input : input.showing(StageOrView.BEAUTY);
+        FrameInput full = input.stageOrView() == Views.FULL ? input : input.showing(StageOrView.BEAUTY);
         FrameInput band = full.band(row, 1);
         boolean traced = (band.variant(false) & Variant.PATH) != 0;
         List<PathStep> steps =

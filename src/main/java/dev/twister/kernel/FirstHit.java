@@ -1,6 +1,6 @@
 package dev.twister.kernel;
 
-/** Stages and views that are known at the first hit; {@link Aspect} defines their values. */
+/** Stages and views that are known at the first hit; {@link Views} defines their values. */
 final class FirstHit {
     private FirstHit() {}
 
@@ -19,15 +19,15 @@ final class FirstHit {
             float[] meshes,
             float[] images,
             int variant) {
-        int aspect = Variant.aspect(variant);
+        int stageOrView = Variant.stageOrView(variant);
         int body = Hit.find(path, scratch, frame, bodies, looks, meshes, variant);
-        int sees = (body == Layout.NOTHING ? 1 : 0) & (aspect <= Aspect.HIGHLIGHTS ? 1 : 0);
+        int sees = (body == Layout.NOTHING ? 1 : 0) & (stageOrView <= Views.HIGHLIGHTS ? 1 : 0);
         if (sees != 0) {
             SkyLookup.add(path, frame, images);
         }
         float number = 0f;
-        number = aspect == Aspect.BODY ? body : number;
-        number = aspect == Aspect.SHADOW ? 1f : number;
+        number = stageOrView == Views.BODY ? body : number;
+        number = stageOrView == Views.SHADOW ? 1f : number;
         float red = number;
         float green = number;
         float blue = number;
@@ -37,18 +37,18 @@ final class FirstHit {
             float specular = 0f;
             int isSurface = (body >= Layout.PLANE ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
             if (isSurface != 0) {
-                int shaded = (aspect == Aspect.DIFFUSE ? 1 : 0) | (aspect == Aspect.HIGHLIGHTS ? 1 : 0);
+                int shaded = (stageOrView == Views.DIFFUSE ? 1 : 0) | (stageOrView == Views.HIGHLIGHTS ? 1 : 0);
                 if (shaded != 0) {
                     lit = lit(path, body, scratch, frame, bodies, looks, meshes, variant);
                 }
-                if (aspect == Aspect.HIGHLIGHTS) {
+                if (stageOrView == Views.HIGHLIGHTS) {
                     specular = (variant & Variant.LIGHTS) != 0 ? 1f : Illumination.highlight(path, 1f);
                 }
-                if (aspect == Aspect.SHADOW) {
+                if (stageOrView == Views.SHADOW) {
                     number = visible(path, body, scratch, frame, bodies, looks, meshes, variant);
                 }
             }
-            number = aspect == Aspect.DEPTH ? path[Layout.DISTANCE] : number;
+            number = stageOrView == Views.DEPTH ? path[Layout.DISTANCE] : number;
             red = path[Layout.ALBEDO] * lit;
             green = path[Layout.ALBEDO + 1] * lit;
             blue = path[Layout.ALBEDO + 2] * lit;
@@ -57,14 +57,14 @@ final class FirstHit {
                 green = green + Scatter.highlight(path, 1, looks, variant) * specular;
                 blue = blue + Scatter.highlight(path, 2, looks, variant) * specular;
             }
-            if (aspect == Aspect.NORMAL) {
+            if (stageOrView == Views.NORMAL) {
                 red = 0.5f + 0.5f * path[Layout.NORMAL];
                 green = 0.5f + 0.5f * path[Layout.NORMAL + 1];
                 blue = 0.5f + 0.5f * path[Layout.NORMAL + 2];
             }
-            red = aspect > Aspect.NORMAL ? number : red;
-            green = aspect > Aspect.NORMAL ? number : green;
-            blue = aspect > Aspect.NORMAL ? number : blue;
+            red = stageOrView > Views.NORMAL ? number : red;
+            green = stageOrView > Views.NORMAL ? number : green;
+            blue = stageOrView > Views.NORMAL ? number : blue;
         }
         path[Layout.RADIANCE] = path[Layout.RADIANCE] + red;
         path[Layout.RADIANCE + 1] = path[Layout.RADIANCE + 1] + green;

@@ -18,7 +18,7 @@ public final class Guides {
 
     /** Resets the sums of a pixel. */
     static void start(float[] path, int variant) {
-        if (Aspect.isGuided(variant) != 0) {
+        if (Views.isGuided(variant) != 0) {
             for (int i = 0; i < 3; i++) {
                 path[Layout.GUIDE_ALBEDO + i] = 0f;
                 path[Layout.GUIDE_NORMAL + i] = 0f;
@@ -28,7 +28,7 @@ public final class Guides {
 
     /** Begins a sample. */
     static void begin(float[] path, int variant) {
-        if (Aspect.isGuided(variant) != 0) {
+        if (Views.isGuided(variant) != 0) {
             path[Layout.GUIDE_STATE] = OPEN;
             for (int i = 0; i < 3; i++) {
                 path[Layout.GUIDE_TINT + i] = 1f;
@@ -42,7 +42,7 @@ public final class Guides {
      * @param path with the normal turned toward the ray's origin
      */
     static void trace(float[] path, int variant) {
-        if (Aspect.isGuided(variant) != 0) {
+        if (Views.isGuided(variant) != 0) {
             int smooth = path[Layout.ROUGHNESS] > 0f ? 0 : 1;
             int clear = path[Layout.PART_MATTE] < LEAST_PART ? 1 : 0;
             // A density marks a direction that was chosen among many.
@@ -65,7 +65,7 @@ public final class Guides {
      * @param transmission t in [0, 1]
      */
     static void meet(float[] path, float mirror, float transmission, int variant) {
-        if (Aspect.isGuided(variant) != 0) {
+        if (Views.isGuided(variant) != 0) {
             float roughness = 0f;
             if ((variant & Variant.MATERIALS) != 0) {
                 roughness = path[Layout.ROUGHNESS];
@@ -87,7 +87,7 @@ public final class Guides {
 
     /** Rays wait: while the fainter branch is followed, the guides wait for the stronger one. */
     static void split(float[] path, int waitingBefore, int variant) {
-        if (Aspect.isGuided(variant) != 0) {
+        if (Views.isGuided(variant) != 0) {
             int split = path[Layout.WAITING] > waitingBefore ? 1 : 0;
             int open = path[Layout.GUIDE_STATE] == OPEN ? 1 : 0;
             path[Layout.GUIDE_STATE] = (split & open) != 0 ? -path[Layout.WAITING] : path[Layout.GUIDE_STATE];
@@ -96,7 +96,7 @@ public final class Guides {
 
     /** A waiting ray goes on. */
     static void resume(float[] path, int variant) {
-        if (Aspect.isGuided(variant) != 0) {
+        if (Views.isGuided(variant) != 0) {
             int awaited = path[Layout.GUIDE_STATE] == -1f - path[Layout.WAITING] ? 1 : 0;
             path[Layout.GUIDE_STATE] = awaited != 0 ? OPEN : path[Layout.GUIDE_STATE];
         }
@@ -104,7 +104,7 @@ public final class Guides {
 
     /** The path has met the sky or a light, whose radiance is its albedo as far as it is at most 1. */
     static void shine(float[] path, float red, float green, float blue, int variant) {
-        if (Aspect.isGuided(variant) != 0) {
+        if (Views.isGuided(variant) != 0) {
             if (path[Layout.GUIDE_STATE] == OPEN) {
                 add(path, 0, Math.min(red, 1f));
                 add(path, 1, Math.min(green, 1f));
@@ -138,7 +138,7 @@ public final class Guides {
      * @param average 1 / number of samples
      */
     static void store(float[] layers, int first, int plane, float[] path, float average, int variant) {
-        if (Aspect.isGuided(variant) != 0) {
+        if (Views.isGuided(variant) != 0) {
             for (int i = 0; i < 3; i++) {
                 layers[first + i] = path[Layout.GUIDE_ALBEDO + i] * average;
                 layers[first + plane + i] = path[Layout.GUIDE_NORMAL + i] * average;

@@ -67,7 +67,7 @@ public final class Hit {
         int hit = Layout.NOTHING;
         for (int body = 0; body < count; body++) {
             if (body != ignored) {
-                Aspect.count(path, Aspect.TESTS, 1, variant);
+                Views.count(path, Views.TESTS, 1, variant);
                 float distance = distance(path, body, frame, bodies, looks, variant);
                 hit = distance < closest ? body : hit;
                 closest = distance < closest ? distance : closest;
@@ -164,7 +164,7 @@ public final class Hit {
             int link = (int) bodies[node + Layout.NODE_LINK];
             int spheres = (int) bodies[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
-            Aspect.count(path, Aspect.TESTS, spheres < 0 ? 2 : spheres, variant);
+            Views.count(path, Views.TESTS, spheres < 0 ? 2 : spheres, variant);
             if (spheres < 0) {
                 float left =
                         NodeBox.entry(bodies, link, originX, originY, originZ, inverseX, inverseY, inverseZ, growth);

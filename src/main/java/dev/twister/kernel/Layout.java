@@ -485,7 +485,7 @@ public final class Layout {
     /** Normal of the microfacet that reflects and refracts, turned toward the ray's origin. */
     public static final int FACET = 48;
 
-    /** The count of {@link Aspect}, over all samples. */
+    /** The count of {@link Views}, over all samples. */
     public static final int COUNT = 51;
 
     /** The instance that the ray hits, and its triangle. */

@@ -13,7 +13,7 @@ public final class LightLayers {
 
     /** Resets the sums of a pixel. */
     static void start(float[] scratch, float[] frame, int variant) {
-        if (Aspect.isLayered(variant) != 0) {
+        if (Views.isLayered(variant) != 0) {
             int end = Layout.SCRATCH_LAYERS + 3 * (int) frame[Layout.LIGHT_LAYERS];
             for (int i = Layout.SCRATCH_LAYERS; i < end; i++) {
                 scratch[i] = 0f;
@@ -28,14 +28,14 @@ public final class LightLayers {
 
     /** In path tracing: the emitter of the next {@link #addDirect} is chosen. */
     static void choose(float[] path, int body, float[] frame, float[] looks, int variant) {
-        if (Aspect.isLayered(variant) != 0) {
+        if (Views.isLayered(variant) != 0) {
             path[Layout.EMITTER_LAYER] = place(body, frame, looks);
         }
     }
 
     /** Adds the light that a ray to an emitter has found, as {@link PathTracer} does. */
     static void addDirect(float[] path, float[] scratch, float visible, int variant) {
-        if (Aspect.isLayered(variant) != 0) {
+        if (Views.isLayered(variant) != 0) {
             int at = (int) path[Layout.EMITTER_LAYER];
             for (int channel = 0; channel < 3; channel++) {
                 scratch[at + channel] = scratch[at + channel] + visible * path[Layout.DIRECT + channel];
@@ -45,7 +45,7 @@ public final class LightLayers {
 
     /** Adds what the path's ray has met: {@link Layout#EMITTED} times throughput and weight. */
     static void add(float[] path, float[] scratch, int body, float weight, float[] frame, float[] looks, int variant) {
-        if (Aspect.isLayered(variant) != 0) {
+        if (Views.isLayered(variant) != 0) {
             int at = place(body, frame, looks);
             for (int channel = 0; channel < 3; channel++) {
                 scratch[at + channel] = scratch[at + channel]
@@ -64,7 +64,7 @@ public final class LightLayers {
      */
     static void store(
             float[] layers, int first, int plane, float[] scratch, float average, float[] frame, int variant) {
-        if (Aspect.isLayered(variant) != 0) {
+        if (Views.isLayered(variant) != 0) {
             int count = (int) frame[Layout.LIGHT_LAYERS];
             for (int layer = 0; layer < count; layer++) {
                 for (int i = 0; i < 3; i++) {

@@ -34,13 +34,13 @@ final class MeshHit {
         float rootEntry = NodeBox.entry(bodies, nodes, originX, originY, originZ, inverseX, inverseY, inverseZ, growth);
         int node = rootEntry <= path[Layout.DISTANCE] ? nodes : Layout.NO_NODE;
         int waiting = 0;
-        Aspect.count(path, Aspect.TESTS, 1, variant);
+        Views.count(path, Views.TESTS, 1, variant);
         while (node != Layout.NO_NODE) {
             int link = (int) bodies[node + Layout.NODE_LINK];
             int count = (int) bodies[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
             if (count < 0) {
-                Aspect.count(path, Aspect.TESTS, 2, variant);
+                Views.count(path, Views.TESTS, 2, variant);
                 int child = nodes + Layout.NODE_STRIDE * link;
                 float left =
                         NodeBox.entry(bodies, child, originX, originY, originZ, inverseX, inverseY, inverseZ, growth);
@@ -119,12 +119,12 @@ final class MeshHit {
         float rootEntry = NodeBox.entry(meshes, nodes, x, y, z, inverseX, inverseY, inverseZ, growth);
         int node = rootEntry <= distance ? nodes : Layout.NO_NODE;
         int waiting = 0;
-        Aspect.count(path, Aspect.TESTS, 1, variant);
+        Views.count(path, Views.TESTS, 1, variant);
         while (node != Layout.NO_NODE) {
             int link = (int) meshes[node + Layout.NODE_LINK];
             int count = (int) meshes[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
-            Aspect.count(path, Aspect.TESTS, count < 0 ? 2 : count, variant);
+            Views.count(path, Views.TESTS, count < 0 ? 2 : count, variant);
             if (count < 0) {
                 int child = nodes + Layout.NODE_STRIDE * link;
                 float left = NodeBox.entry(meshes, child, x, y, z, inverseX, inverseY, inverseZ, growth);

@@ -26,7 +26,7 @@ final class MeshShadow {
         float greatestZ = NodeBox.inverse(axisZ + spreadZ);
         float end = path[Layout.LIGHT_DISTANCE] * Shadow.RELATIVE_MARGIN;
         int nodes = (int) frame[Layout.INSTANCES] + 1;
-        Aspect.count(path, Aspect.TESTS, 1, variant);
+        Views.count(path, Views.TESTS, 1, variant);
         float growth = NodeBox.coneGrowth(path, bodies, nodes);
         float rootEntry =
                 NodeBox.coneEntry(path, bodies, nodes, leastX, leastY, leastZ, greatestX, greatestY, greatestZ, growth);
@@ -36,7 +36,7 @@ final class MeshShadow {
         while (node != Layout.NO_NODE) {
             int next = Layout.NO_NODE;
             if (bodies[node + Layout.NODE_SPHERES] < 0f) {
-                Aspect.count(path, Aspect.TESTS, 2, variant);
+                Views.count(path, Views.TESTS, 2, variant);
                 int child = nodes + Layout.NODE_STRIDE * (int) bodies[node + Layout.NODE_LINK];
                 int other = child + Layout.NODE_STRIDE;
                 float first = NodeBox.coneEntry(
@@ -101,7 +101,7 @@ final class MeshShadow {
             int count = (int) bodies[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
             if (count < 0) {
-                Aspect.count(path, Aspect.TESTS, 2, variant);
+                Views.count(path, Views.TESTS, 2, variant);
                 int child = nodes + Layout.NODE_STRIDE * link;
                 float first =
                         NodeBox.entry(bodies, child, pointX, pointY, pointZ, inverseX, inverseY, inverseZ, growth);
@@ -174,7 +174,7 @@ final class MeshShadow {
         float inverseZ = NodeBox.inverse(path[Layout.MESH_DIRECTION + 2]);
         int nodes = Instance.nodes(bodies, instance);
         int triangles = Instance.triangles(bodies, instance);
-        Aspect.count(path, Aspect.TESTS, 1, variant);
+        Views.count(path, Views.TESTS, 1, variant);
         float growth = NodeBox.growth(meshes, nodes, x, y, z);
         float rootEntry = NodeBox.entry(meshes, nodes, x, y, z, inverseX, inverseY, inverseZ, growth);
         int node = rootEntry <= 1f ? nodes : Layout.NO_NODE;
@@ -185,7 +185,7 @@ final class MeshShadow {
             int link = (int) meshes[node + Layout.NODE_LINK];
             int count = (int) meshes[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
-            Aspect.count(path, Aspect.TESTS, count < 0 ? 2 : count, variant);
+            Views.count(path, Views.TESTS, count < 0 ? 2 : count, variant);
             if (count < 0) {
                 int child = nodes + Layout.NODE_STRIDE * link;
                 float left = NodeBox.entry(meshes, child, x, y, z, inverseX, inverseY, inverseZ, growth);

@@ -69,7 +69,7 @@ public final class Path {
         }
         if (body == Layout.NOTHING) {
             SkyLookup.add(path, frame, images);
-            if (Aspect.isGuided(variant) != 0) {
+            if (Views.isGuided(variant) != 0) {
                 SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
                 LightLayers.add(path, scratch, body, 1f, frame, looks, variant);
                 Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
@@ -91,7 +91,7 @@ public final class Path {
                 goesOn = 1;
             }
         }
-        Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
+        Views.count(path, Views.BOUNCES, goesOn, variant);
         return goesOn;
     }
 

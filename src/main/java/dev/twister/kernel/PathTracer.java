@@ -166,7 +166,7 @@ public final class PathTracer {
             Guides.trace(path, variant);
         }
         int goesOn = isSurface != 0 ? carriesLight(path) : 0;
-        Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
+        Views.count(path, Views.BOUNCES, goesOn, variant);
         if (toEmitter == 0) {
             next(path);
         }

@@ -31,7 +31,7 @@ public final class PixelKernel {
         path[Layout.RADIANCE] = 0f;
         path[Layout.RADIANCE + 1] = 0f;
         path[Layout.RADIANCE + 2] = 0f;
-        Aspect.start(path, variant);
+        Views.start(path, variant);
         Guides.start(path, variant);
         LightLayers.start(scratch, frame, variant);
         for (int sample = 0; sample < samples; sample++) {
@@ -40,7 +40,7 @@ public final class PixelKernel {
             Guides.begin(path, variant);
             add(path, scratch, frame, bodies, looks, meshes, images, variant);
         }
-        Aspect.finish(path, variant);
+        Views.finish(path, variant);
     }
 
     /** 1 if the pixel's tile is to be rendered, else 0. */
@@ -129,7 +129,7 @@ public final class PixelKernel {
             float[] meshes,
             float[] images,
             int variant) {
-        if (Aspect.endsAtFirstHit(variant) != 0) {
+        if (Views.endsAtFirstHit(variant) != 0) {
             FirstHit.add(path, scratch, frame, bodies, looks, meshes, images, variant);
         } else if ((variant & Variant.PATH) != 0) {
             PathTracer.follow(path, scratch, frame, bodies, looks, meshes, images, variant);

@@ -56,7 +56,7 @@ public final class Shadow {
         if (Surface.isMesh(own, frame, variant) != 0) {
             visible = MeshSurface.looksAway(path) != 0 ? 0f : 1f;
         }
-        int matters = (Variant.aspect(variant) == Aspect.SHADOW ? 1 : 0) | matters(path, frame, variant);
+        int matters = (Variant.stageOrView(variant) == Views.SHADOW ? 1 : 0) | matters(path, frame, variant);
         if ((matters & (visible > 0f ? 1 : 0)) != 0) {
             int light = LightBody.shading(path, variant);
             float discRadius = 2f * bodies[Layout.PLACE_STRIDE * light + Layout.PLACE_SIZE];
@@ -147,14 +147,14 @@ public final class Shadow {
                 ? blockedByOne(scratch, sampleScale, samples, frame)
                         * (1f - rememberedTransmission(scratch, 0, variant))
                 : 0f;
-        Aspect.count(path, Aspect.TESTS, alone != 0 ? samples : 0, variant);
+        Views.count(path, Views.TESTS, alone != 0 ? samples : 0, variant);
         int firstSample = alone != 0 ? samples : 0;
         for (int sample = firstSample; sample < samples; sample++) {
             float x = frame[Layout.DISC + 2 * sample] * sampleScale;
             float y = frame[Layout.DISC + 2 * sample + 1] * sampleScale;
             float pastPlane = 1f;
             if (plane != 0) {
-                Aspect.count(path, Aspect.TESTS, 1, variant);
+                Views.count(path, Views.TESTS, 1, variant);
                 pastPlane = PlaneShadow.blocks(path, x, y, bodies, variant) != 0
                         ? transmission(Layout.PLANE, looks, variant)
                         : 1f;
@@ -162,7 +162,7 @@ public final class Shadow {
             float light = pastPlane;
             int lit = light > 0f ? 1 : 0;
             for (int candidate = 0; candidate < remembered && lit != 0; candidate++) {
-                Aspect.count(path, Aspect.TESTS, 1, variant);
+                Views.count(path, Views.TESTS, 1, variant);
                 float transmission = rememberedTransmission(scratch, candidate, variant);
                 int hit = blocks(
                         scratch[Layout.CANDIDATE_STRIDE * candidate],
@@ -255,7 +255,7 @@ public final class Shadow {
             int spheres = (int) bodies[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
             if (spheres < 0) {
-                Aspect.count(path, Aspect.TESTS, 2, variant);
+                Views.count(path, Views.TESTS, 2, variant);
                 float first = NodeBox.coneEntry(
                         path, bodies, link, leastX, leastY, leastZ, greatestX, greatestY, greatestZ, growth);
                 float second = NodeBox.coneEntry(
@@ -312,7 +312,7 @@ public final class Shadow {
             int at = link + Layout.SPHERE_STRIDE * sphere;
             int body = (int) bodies[at + Layout.SPHERE_BODY];
             if (isOwn(own, at, body, frame, bodies, variant) == 0) {
-                Aspect.count(path, Aspect.TESTS, 1, variant);
+                Views.count(path, Views.TESTS, 1, variant);
                 float x = bodies[at] - path[Layout.POINT];
                 float y = bodies[at + 1] - path[Layout.POINT + 1];
                 float z = bodies[at + 2] - path[Layout.POINT + 2];

@@ -78,7 +78,7 @@ public final class ShadowRay {
             int spheres = (int) bodies[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
             if (spheres < 0) {
-                Aspect.count(path, Aspect.TESTS, 2, variant);
+                Views.count(path, Views.TESTS, 2, variant);
                 float first = NodeBox.entry(bodies, link, pointX, pointY, pointZ, inverseX, inverseY, inverseZ, growth);
                 float second = NodeBox.entry(
                         bodies,
@@ -103,7 +103,7 @@ public final class ShadowRay {
                 int at = link + Layout.SPHERE_STRIDE * sphere;
                 int body = (int) bodies[at + Layout.SPHERE_BODY];
                 if (Shadow.isOwn(own, at, body, frame, bodies, variant) == 0) {
-                    Aspect.count(path, Aspect.TESTS, 1, variant);
+                    Views.count(path, Views.TESTS, 1, variant);
                     float toX = bodies[at] - pointX;
                     float toY = bodies[at + 1] - pointY;
                     float toZ = bodies[at + 2] - pointZ;

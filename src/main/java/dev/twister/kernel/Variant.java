@@ -32,17 +32,17 @@ public final class Variant {
     /** Some spheres are in one place, one of which transmits; implies {@link #MATERIALS}. */
     public static final int TWINS = 256;
 
-    private static final int ASPECT_SHIFT = 9;
+    private static final int VIEW_SHIFT = 9;
 
     private Variant() {}
 
-    /** The bits of an aspect, a constant of {@link Aspect}. */
-    public static int of(int aspect) {
-        return aspect << ASPECT_SHIFT;
+    /** The bits of a stage or view, a constant of {@link Views}. */
+    public static int of(int stageOrView) {
+        return stageOrView << VIEW_SHIFT;
     }
 
-    /** The aspect of a variant: a constant of {@link Aspect}. */
-    public static int aspect(int variant) {
-        return variant >> ASPECT_SHIFT;
+    /** What a variant renders: a constant of {@link Views}. */
+    public static int stageOrView(int variant) {
+        return variant >> VIEW_SHIFT;
     }
 }

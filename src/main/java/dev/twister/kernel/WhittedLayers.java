@@ -20,7 +20,7 @@ final class WhittedLayers {
             float[] frame,
             float[] looks,
             int variant) {
-        if (Aspect.isLayered(variant) != 0) {
+        if (Views.isLayered(variant) != 0) {
             int at = LightLayers.place(light, frame, looks);
             float specular = Illumination.highlight(path, visible);
             float matte = matte(path, frame, variant) * part;
@@ -40,7 +40,7 @@ final class WhittedLayers {
      * @param part of lit beyond the sum of the lights' parts
      */
     static void ambient(float[] path, float[] scratch, float part, float[] frame, float[] looks, int variant) {
-        if (Aspect.isLayered(variant) != 0) {
+        if (Views.isLayered(variant) != 0) {
             int at = LightLayers.place(Layout.PLANE, frame, looks);
             float matte = matte(path, frame, variant) * part;
             for (int channel = 0; channel < 3; channel++) {
@@ -53,7 +53,7 @@ final class WhittedLayers {
     /** Adds what the surface reflects of the only light and of ambient light. */
     static void shade(
             float[] path, float[] scratch, float visible, float lit, float[] frame, float[] looks, int variant) {
-        if (Aspect.isLayered(variant) != 0) {
+        if (Views.isLayered(variant) != 0) {
             float part = Math.max(0f, path[Layout.NORMAL_DOT_LIGHT]) * visible;
             shade(path, scratch, Layout.LIGHT, part, visible, frame, looks, variant);
             ambient(path, scratch, lit - part, frame, looks, variant);
@@ -66,7 +66,7 @@ final class WhittedLayers {
 
     /** Adds the color of a light at which the path ends. */
     static void meet(float[] path, float[] scratch, int light, float[] frame, float[] looks, int variant) {
-        if (Aspect.isLayered(variant) != 0) {
+        if (Views.isLayered(variant) != 0) {
             for (int channel = 0; channel < 3; channel++) {
                 path[Layout.EMITTED + channel] = looks[Layout.LOOK_STRIDE * light + channel];
             }
@@ -76,7 +76,7 @@ final class WhittedLayers {
 
     /** Adds the light that the surface emits. */
     static void emit(float[] path, float[] scratch, int body, float[] frame, float[] looks, int variant) {
-        int layered = Aspect.isLayered(variant) & ((variant & Variant.MATERIALS) != 0 ? 1 : 0);
+        int layered = Views.isLayered(variant) & ((variant & Variant.MATERIALS) != 0 ? 1 : 0);
         if (layered != 0) {
             if (Emitter.shines(path, body, frame, looks, variant) != 0) {
                 for (int channel = 0; channel < 3; channel++) {

@@ -1,9 +1,9 @@
 package dev.twister.world;
 
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Guides;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
+import dev.twister.kernel.Views;
 import dev.twister.scene.ToneMap;
 import dev.twister.world.hierarchy.SphereHierarchy;
 import java.util.Arrays;
@@ -77,9 +77,9 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
         return (int) view.frame()[Layout.PIXEL_SAMPLES];
     }
 
-    /** Which aspect of the picture is rendered: a constant of {@link Aspect}. */
-    public int aspect() {
-        return view.aspect();
+    /** What is rendered: a constant of {@link Views}. */
+    public int stageOrView() {
+        return view.stageOrView();
     }
 
     /** In stops: radiance is multiplied by 2^exposure. */
@@ -124,7 +124,7 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
                 | (tracesPaths() ? Variant.PATH : 0)
                 | (hasSeveralLights() ? Variant.LIGHTS : 0)
                 | (linear ? Variant.LINEAR : 0)
-                | Variant.of(aspect());
+                | Variant.of(stageOrView());
     }
 
     private int materials() {
@@ -222,7 +222,7 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
 
     /** The same picture with guides of denoising as layers, see {@link #layers}; for linear frames alone. */
     public FrameInput withGuides() {
-        return with(new View(view.frame(), Aspect.GUIDED));
+        return with(new View(view.frame(), Views.GUIDED));
     }
 
     /**
@@ -237,7 +237,7 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
         float[] frame = view.frame().clone();
         frame[Layout.LIGHT_LAYERS] = groups.names().size();
         frame[Layout.LIGHT_GROUPS] = looks.length;
-        return new FrameInput(new View(frame, Aspect.LAYERED), bodies.withLooks(grouped), images);
+        return new FrameInput(new View(frame, Views.LAYERED), bodies.withLooks(grouped), images);
     }
 
     /**
@@ -245,8 +245,8 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
      * light.
      */
     public int layers() {
-        int lights = aspect() == Aspect.LAYERED ? (int) view.frame()[Layout.LIGHT_LAYERS] : 0;
-        return (aspect() >= Aspect.GUIDED ? Guides.LAYERS : 0) + lights;
+        int lights = stageOrView() == Views.LAYERED ? (int) view.frame()[Layout.LIGHT_LAYERS] : 0;
+        return (stageOrView() >= Views.GUIDED ? Guides.LAYERS : 0) + lights;
     }
 
     private FrameInput with(View newView) {

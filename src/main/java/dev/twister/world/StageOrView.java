@@ -1,41 +1,41 @@
 package dev.twister.world;
 
-import dev.twister.kernel.Aspect;
+import dev.twister.kernel.Views;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
-/** The content of a frame: the full picture, one of its stages, or a view. {@link Aspect} defines the values. */
+/** The content of a frame: the full picture, one of its stages, or a view. {@link Views} defines the values. */
 public enum StageOrView {
     /** First stage: the base color of the closest hit. */
-    COLORS(Aspect.COLORS),
+    COLORS(Views.COLORS),
     /** Stage with shading by the angle to the light, without shadows and highlights. */
-    DIFFUSE(Aspect.DIFFUSE),
+    DIFFUSE(Views.DIFFUSE),
     /** Stage with highlights. */
-    HIGHLIGHTS(Aspect.HIGHLIGHTS),
+    HIGHLIGHTS(Views.HIGHLIGHTS),
     /** Stage with one shadow ray per surface, to the light's center. */
-    HARD_SHADOWS(Aspect.FULL),
+    HARD_SHADOWS(Views.FULL),
     /** Stage with the scene's number of shadow rays. */
-    SOFT_SHADOWS(Aspect.FULL),
+    SOFT_SHADOWS(Views.FULL),
     /** The full picture: the last stage, with reflection and transmission, and the first view. */
-    BEAUTY(Aspect.FULL),
-    ALBEDO(Aspect.ALBEDO),
-    NORMAL(Aspect.NORMAL),
-    DEPTH(Aspect.DEPTH),
-    BODY(Aspect.BODY),
-    SHADOW(Aspect.SHADOW),
-    BOUNCES(Aspect.BOUNCES),
-    TESTS(Aspect.TESTS);
+    BEAUTY(Views.FULL),
+    ALBEDO(Views.ALBEDO),
+    NORMAL(Views.NORMAL),
+    DEPTH(Views.DEPTH),
+    BODY(Views.BODY),
+    SHADOW(Views.SHADOW),
+    BOUNCES(Views.BOUNCES),
+    TESTS(Views.TESTS);
 
-    private final int aspect;
+    private final int stageOrView;
 
-    StageOrView(int aspect) {
-        this.aspect = aspect;
+    StageOrView(int stageOrView) {
+        this.stageOrView = stageOrView;
     }
 
-    /** A constant of {@link Aspect}. */
-    public int aspect() {
-        return aspect;
+    /** A constant of {@link Views}. */
+    public int stageOrView() {
+        return stageOrView;
     }
 
     /** The stages in order; only the last one, the full picture, has reflections and refractions. */

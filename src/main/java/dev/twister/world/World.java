@@ -2,8 +2,8 @@ package dev.twister.world;
 
 import static java.util.Objects.requireNonNull;
 
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Views;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Mesh;
@@ -287,7 +287,7 @@ public final class World {
             shown = bodies.withLooks(tables.looks());
             shownImages = tables.images();
         }
-        return new FrameInput(View.of(values, shadowDisc, pixelSamples, Aspect.FULL), shown, shownImages);
+        return new FrameInput(View.of(values, shadowDisc, pixelSamples, Views.FULL), shown, shownImages);
     }
 
     /** The groups of the scene's lights, for {@link FrameInput#withLightLayers}. */

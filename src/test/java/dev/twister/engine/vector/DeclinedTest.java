@@ -143,7 +143,8 @@ final class DeclinedTest {
         FrameInput known = shipped("teaching");
         float[] frame = known.view().frame().clone();
         frame[Layout.TONE_MAP] = 99;
-        FrameInput unknown = new FrameInput(new View(frame, known.view().aspect()), known.bodies(), known.images());
+        FrameInput unknown =
+                new FrameInput(new View(frame, known.view().stageOrView()), known.bodies(), known.images());
         Drawing drawing = new Drawing();
         drawing.take(known, Frame.ofPixels(known.width(), known.rows()), false);
         assertThat(drawing.declined.isFrame()).isFalse();

@@ -6,7 +6,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import dev.twister.image.Frame;
-import dev.twister.kernel.Aspect;
+import dev.twister.kernel.Views;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
@@ -102,7 +102,7 @@ final class PathsInLanesTest {
     }
 
     private static Frame drawn(Engine engine, FrameInput input) {
-        Frame frame = input.aspect() == Aspect.FULL
+        Frame frame = input.stageOrView() == Views.FULL
                 ? Frame.ofRadiance(input.width(), input.rows())
                 : Frame.ofRadiance(input.width(), input.rows(), input.layers());
         engine.render(input, frame);

@@ -1,9 +1,9 @@
 package dev.twister.engine.tornado;
 
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.kernel.Variant;
+import dev.twister.kernel.Views;
 import dev.twister.scene.Rendering;
 import dev.twister.world.hierarchy.SphereHierarchy;
 import java.util.function.Supplier;
@@ -51,13 +51,13 @@ public final class TornadoKernel implements Supplier<DrawTask> {
         for (@Parallel int row = 0; row < rows; row++) {
             for (@Parallel int column = 0; column < width; column++) {
                 int isPlain = (variant & (Variant.MATERIALS | Variant.MESHES)) == 0 ? 1 : 0;
-                int isShort = Aspect.isCount(variant) == 0 ? (variant & Variant.LIGHTS) == 0 ? 1 : 0 : 0;
+                int isShort = Views.isCount(variant) == 0 ? (variant & Variant.LIGHTS) == 0 ? 1 : 0 : 0;
                 int plainPath = isShort != 0 ? Layout.PLAIN_PATH_LENGTH : Layout.PATH_LENGTH;
                 int longPath = (variant & Variant.PATH) != 0 ? Layout.TRACED_PATH_LENGTH : Layout.PATH_LENGTH;
                 int usualPath = isPlain != 0 ? plainPath : longPath;
-                int layered = Aspect.isLayered(variant);
+                int layered = Views.isLayered(variant);
                 int guidedPath = layered != 0 ? Layout.LAYERED_PATH_LENGTH : Layout.GUIDED_PATH_LENGTH;
-                float[] path = new float[Aspect.isGuided(variant) != 0 ? guidedPath : usualPath];
+                float[] path = new float[Views.isGuided(variant) != 0 ? guidedPath : usualPath];
                 float[] scratch = new float[scratchLength(variant)];
                 PixelKernel.draw(column, row, path, scratch, frame, bodies, looks, meshes, images, variant);
                 int pixel = row * width + column;
@@ -77,7 +77,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
     /** Floats of scratch that a variant needs. */
     private static int scratchLength(int variant) {
         int hasMeshes = variant & Variant.MESHES;
-        int isTraced = (variant & Variant.PATH) != 0 ? 1 - Aspect.endsAtFirstHit(variant) : 0;
+        int isTraced = (variant & Variant.PATH) != 0 ? 1 - Views.endsAtFirstHit(variant) : 0;
         // Traced paths have no stored candidates and no waiting rays.
         int traced = hasMeshes != 0 ? Layout.SCRATCH_RAY_NODES + 2 * Layout.MOST_ANCESTORS : Layout.SCRATCH_RAY_NODES;
         // Few spheres have no hierarchy, and are all candidates at most.
@@ -85,6 +85,6 @@ public final class TornadoKernel implements Supplier<DrawTask> {
         int plain = hasMeshes != 0 ? Layout.SCRATCH_TRANSMISSIONS : spheres;
         int shaded = (variant & Variant.MATERIALS) != 0 ? Layout.SCRATCH_LENGTH : plain;
         int usual = isTraced != 0 ? traced : shaded;
-        return Aspect.isLayered(variant) != 0 ? Layout.LAYERED_SCRATCH_LENGTH : usual;
+        return Views.isLayered(variant) != 0 ? Layout.LAYERED_SCRATCH_LENGTH : usual;
     }
 }

@@ -1,6 +1,5 @@
 package dev.twister.engine.tornado;
 
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Facet;
 import dev.twister.kernel.Hit;
@@ -19,6 +18,7 @@ import dev.twister.kernel.Texture;
 import dev.twister.kernel.Tone;
 import dev.twister.kernel.Triangle;
 import dev.twister.kernel.Variant;
+import dev.twister.kernel.Views;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
@@ -316,7 +316,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             float light = -1f;
             if (body != Layout.NOTHING) {
                 Illumination.aim(path, Layout.LIGHT, bodies);
-                int variant = Variant.MATERIALS | Variant.MESHES | Variant.of(Aspect.SHADOW);
+                int variant = Variant.MATERIALS | Variant.MESHES | Variant.of(Views.SHADOW);
                 visible = Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
                 light = ShadowRay.light(path, body, i % MESH_SAMPLES, scratch, frame, bodies, looks, meshes, variant);
             }

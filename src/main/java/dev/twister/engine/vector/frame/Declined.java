@@ -1,11 +1,11 @@
 package dev.twister.engine.vector.frame;
 
 import dev.twister.engine.vector.lanes.BodyList;
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Texture;
 import dev.twister.kernel.Tone;
 import dev.twister.kernel.Variant;
+import dev.twister.kernel.Views;
 import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
@@ -69,10 +69,10 @@ public final class Declined {
                 || input.view().frame()[Layout.CAMERA_MEDIUM] > Layout.NOTHING
                 || isCameraInside(input)
                 || isCameraOnASurface(input);
-        boolean picture = input.aspect() == Aspect.FULL;
+        boolean picture = input.stageOrView() == Views.FULL;
         kernelPaths = hits || !picture;
         frame = input.tracesPaths()
-                ? !picture && input.aspect() < Aspect.GUIDED
+                ? !picture && input.stageOrView() < Views.GUIDED
                 : !picture || hits || toneMap < Tone.CLAMP || toneMap > Tone.ACES;
     }
 

@@ -1,8 +1,8 @@
 package dev.twister.engine.vector.made;
 
 import dev.twister.engine.vector.lanes.Lanes;
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Views;
 import dev.twister.world.FrameInput;
 
 /**
@@ -80,7 +80,7 @@ public final class PathColumns {
         meshes = input.bodies().meshes();
         images = input.images();
         variant = frameVariant;
-        boolean layered = input.aspect() == Aspect.LAYERED;
+        boolean layered = input.stageOrView() == Views.LAYERED;
         endOfLayers = Layout.SCRATCH_LAYERS + (layered ? 3 * (int) frame[Layout.LIGHT_LAYERS] : 0);
     }
 

@@ -4,8 +4,8 @@ package dev.twister.kernel;
  * What is rendered: the picture, one of its stages, or a view, which is one value per sample. A pixel is the mean of
  * its samples. Numbers are the same in all three channels.
  */
-public final class Aspect {
-    /** Values of the argument {@code aspect}: the picture itself. */
+public final class Views {
+    /** Values of what is rendered: the picture itself. */
     public static final int FULL = 0;
 
     /** Stages, of the first hit only; a miss shows the sky, the light its own color. This one: the base color C. */
@@ -47,36 +47,36 @@ public final class Aspect {
     /** As {@link #GUIDED}, with {@link LightLayers} as further layers. */
     public static final int LAYERED = 12;
 
-    private Aspect() {}
+    private Views() {}
 
     /** 1 if the value is known at the first hit, else 0. */
     public static int endsAtFirstHit(int variant) {
-        return (Variant.aspect(variant) > FULL ? 1 : 0) & (Variant.aspect(variant) < BOUNCES ? 1 : 0);
+        return (Variant.stageOrView(variant) > FULL ? 1 : 0) & (Variant.stageOrView(variant) < BOUNCES ? 1 : 0);
     }
 
     /** 1 if the value is a count along the whole path, else 0. */
     public static int isCount(int variant) {
-        return (Variant.aspect(variant) >= BOUNCES ? 1 : 0) & (Variant.aspect(variant) < GUIDED ? 1 : 0);
+        return (Variant.stageOrView(variant) >= BOUNCES ? 1 : 0) & (Variant.stageOrView(variant) < GUIDED ? 1 : 0);
     }
 
     /** 1 if the picture has guides, else 0. */
     public static int isGuided(int variant) {
-        return Variant.aspect(variant) >= GUIDED ? 1 : 0;
+        return Variant.stageOrView(variant) >= GUIDED ? 1 : 0;
     }
 
     /** 1 if the picture has a layer for each group of lights, else 0. */
     public static int isLayered(int variant) {
-        return Variant.aspect(variant) == LAYERED ? 1 : 0;
+        return Variant.stageOrView(variant) == LAYERED ? 1 : 0;
     }
 
-    /** Resets the count of a pixel, if the aspect is a count. */
+    /** Resets the count of a pixel, if what is rendered is a count. */
     static void start(float[] path, int variant) {
         if (isCount(variant) != 0) {
             path[Layout.COUNT] = 0f;
         }
     }
 
-    /** Copies the count to the radiance, if the aspect is a count. */
+    /** Copies the count to the radiance, if what is rendered is a count. */
     static void finish(float[] path, int variant) {
         if (isCount(variant) != 0) {
             path[Layout.RADIANCE] = path[Layout.COUNT];
@@ -85,9 +85,9 @@ public final class Aspect {
         }
     }
 
-    /** Adds to the count, if the aspect is {@code counted}. */
+    /** Adds to the count, if what is rendered is {@code counted}. */
     public static void count(float[] path, int counted, int number, int variant) {
-        if (Variant.aspect(variant) == counted) {
+        if (Variant.stageOrView(variant) == counted) {
             path[Layout.COUNT] = path[Layout.COUNT] + number;
         }
     }
