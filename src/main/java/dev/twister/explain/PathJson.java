@@ -1,6 +1,8 @@
 package dev.twister.explain;
 
+import dev.twister.explain.PathStep.FoundLight;
 import dev.twister.explain.Scattering.LobeChoice;
+import dev.twister.explain.ShadedSurface.LightPart;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;

@@ -1,5 +1,7 @@
 package dev.twister.explain;
 
+import dev.twister.explain.ShadedSurface.LightPart;
+import dev.twister.explain.TracedText.NamesText;
 import dev.twister.kernel.Layout;
 import java.util.ArrayList;
 import java.util.List;

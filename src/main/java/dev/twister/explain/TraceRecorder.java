@@ -1,5 +1,7 @@
 package dev.twister.explain;
 
+import dev.twister.explain.PathRecorder.Floats;
+import dev.twister.explain.PathStep.FoundLight;
 import dev.twister.explain.Scattering.EmitterChoice;
 import dev.twister.explain.Scattering.LobeChoice;
 import dev.twister.kernel.Emitter;

@@ -1,6 +1,7 @@
 package dev.twister.exr;
 
 import dev.twister.exr.ExrPart.Box;
+import dev.twister.exr.ExrPart.ExrFormat;
 import dev.twister.files.Deflate;
 import java.io.EOFException;
 import java.io.IOException;

@@ -8,6 +8,7 @@ import dev.twister.film.FilmFormat;
 import dev.twister.film.FilmWriting;
 import dev.twister.image.PictureNotes;
 import dev.twister.image.Provenance;
+import dev.twister.render.RenderOrder.BodyMotion;
 import dev.twister.threads.BackgroundWriter;
 import dev.twister.world.FrameInput;
 import dev.twister.world.StageOrView;
@@ -175,5 +176,14 @@ public final class Renderer {
     private void write(int number, List<RenderedView> drawn, FrameInput part, Provenance made) throws IOException {
         boolean alpha = output.background() == Background.NONE;
         output.format().write(output.file(number), drawn, part, alpha, made);
+    }
+
+    /** The exposure should be set by a picture without any light. */
+    public static final class BlackPictureException extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        BlackPictureException() {
+            super("the picture is black");
+        }
     }
 }

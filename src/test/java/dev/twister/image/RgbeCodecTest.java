@@ -2,6 +2,7 @@ package dev.twister.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.image.HdrWriter.RgbeCodec;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.FloatRange;
