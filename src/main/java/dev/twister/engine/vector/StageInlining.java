@@ -86,7 +86,7 @@ final class StageInlining {
                         ALWAYS.stream().map(methods -> "\"+" + methods + "\""),
                         NEVER.stream().map(methods -> "\"-" + methods + "\""))
                 .collect(Collectors.joining(", "));
-        return "[{match: \"" + MADE + "\", BackgroundCompilation: false, inline: [" + inlining + "]}, {match: \"" + PACKAGE
-                + "*.*\", inline: [" + inlining + "]}]";
+        return "[{match: \"" + MADE + "\", BackgroundCompilation: false, inline: [" + inlining + "]}, {match: \""
+                + PACKAGE + "*.*\", inline: [" + inlining + "]}]";
     }
 }
