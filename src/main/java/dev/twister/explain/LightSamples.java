@@ -1,5 +1,6 @@
 package dev.twister.explain;
 
+import dev.twister.explain.PathStep.LightSample;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.ShadowRay;

@@ -1,5 +1,9 @@
 package dev.twister.explain;
 
+import dev.twister.explain.PathStep.LightPart;
+import dev.twister.explain.PathStep.LightSample;
+import dev.twister.explain.PathStep.RayKind;
+import dev.twister.explain.PathStep.ShadedSurface;
 import dev.twister.kernel.Illumination;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Path;

@@ -1,5 +1,6 @@
 package dev.twister.exr;
 
+import dev.twister.exr.ExrPart.ExrFormat;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
