@@ -1,5 +1,7 @@
 package dev.twister.explain;
 
+import dev.twister.explain.PathStep.RayKind;
+import dev.twister.explain.PathStep.ShadedSurface;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Medium;

@@ -1,7 +1,10 @@
 package dev.twister.explain;
 
 import dev.twister.explain.PathRecorder.Floats;
-import dev.twister.explain.ShadedSurface.LightPart;
+import dev.twister.explain.PathStep.LightPart;
+import dev.twister.explain.PathStep.LightSample;
+import dev.twister.explain.PathStep.RayKind;
+import dev.twister.explain.PathStep.ShadedSurface;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Illumination;
 import dev.twister.kernel.Layout;

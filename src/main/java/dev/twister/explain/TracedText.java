@@ -1,17 +1,15 @@
 package dev.twister.explain;
 
 import dev.twister.explain.PathStep.FoundLight;
-import dev.twister.explain.Scattering.EmitterChoice;
-import dev.twister.explain.Scattering.LobeChoice;
+import dev.twister.explain.PathStep.RayKind;
+import dev.twister.explain.PathStep.Scattering;
+import dev.twister.explain.PathStep.Scattering.EmitterChoice;
+import dev.twister.explain.PathStep.Scattering.LobeChoice;
 import dev.twister.kernel.Layout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.SortedSet;
-import java.util.TreeSet;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /** A path of path tracing for a person: a table of its rays, and the choices at each surface. */
 final class TracedText {
@@ -45,7 +43,7 @@ final class TracedText {
                         .replace(System.lineSeparator(), "\n")
                 + TextTable.of(rows, TEXTS)
                 + "\n"
-                + NamesText.of(path, names)
+                + PathText.names(path, names)
                 + surfaces
                 + "\nadds = throughput * w * radiance, clamped beyond the first surface; 0 if the way to an emitter is"
                 + " blocked\n"
@@ -125,34 +123,5 @@ final class TracedText {
 
     private static String probability(double probability) {
         return TextTable.number("%.4f", probability);
-    }
-
-    /** The list of a path's bodies, with what the scene file says of them. */
-    static final class NamesText {
-        private NamesText() {}
-
-        /** A line for each body that rays meet or are stopped by, and an empty line; empty where all miss. */
-        static String of(PixelPath path, BodyNames names) {
-            SortedSet<Integer> bodies =
-                    path.steps().stream().flatMap(NamesText::bodies).collect(Collectors.toCollection(TreeSet::new));
-            String lines = bodies.stream()
-                    .flatMap(body -> names.find(body).map(name -> line(path.bodyName(body), name.text())).stream())
-                    .collect(Collectors.joining());
-            return lines.isEmpty() ? "" : lines + "\n";
-        }
-
-        private static String line(String body, String name) {
-            return body.equals(name) ? "" : body + ": " + name + "\n";
-        }
-
-        private static Stream<Integer> bodies(PathStep step) {
-            Stream<Integer> blockers = step.shading().stream()
-                    .flatMap(shading -> shading.lights().stream())
-                    .flatMap(light -> light.shadowRays().stream())
-                    .map(LightSample::blocker);
-            Stream<Integer> emitter =
-                    step.scattering().flatMap(Scattering::emitter).stream().map(Scattering.EmitterChoice::body);
-            return Stream.of(Stream.of(step.body()), blockers, emitter).flatMap(stream -> stream);
-        }
     }
 }

@@ -46,7 +46,7 @@ final class ExrChunkDecoder {
                 at += count + 1;
             }
         }
-        ExrPart.check(at == length);
+        ExrDamage.check(at == length);
         return plain;
     }
 
@@ -55,9 +55,9 @@ final class ExrChunkDecoder {
         byte[] plain = new byte[length];
         try (Inflater inflater = new Inflater()) {
             inflater.setInput(packed);
-            ExrPart.check(inflater.inflate(plain) == length);
+            ExrDamage.check(inflater.inflate(plain) == length);
             // The checksum at the end is read with the next byte.
-            ExrPart.check(inflater.inflate(new byte[1]) == 0 && inflater.finished());
+            ExrDamage.check(inflater.inflate(new byte[1]) == 0 && inflater.finished());
         }
         return plain;
     }

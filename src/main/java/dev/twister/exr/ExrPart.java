@@ -135,8 +135,7 @@ record ExrPart(
         return Optional.ofNullable(attributes.get(name)).map(value -> new String(value, StandardCharsets.UTF_8));
     }
 
-    /** Ends the reading of a file that is not as its format says. */
-    static void check(boolean right) throws DataFormatException {
+    private static void check(boolean right) throws DataFormatException {
         if (!right) {
             throw new DataFormatException();
         }

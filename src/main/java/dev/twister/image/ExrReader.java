@@ -41,6 +41,11 @@ public final class ExrReader {
         return read(file, ExrReader::extent);
     }
 
+    /** Such as {@code the first of 3 parts, 'beauty'}, if the file has several: no other part is read. */
+    public static Optional<String> part(Path file) throws IOException {
+        return read(file, OpenExrFile::firstPart);
+    }
+
     private interface Content<T> {
         T of(OpenExrFile exr) throws IOException, DataFormatException;
     }

@@ -18,6 +18,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /** Renders an order to its files. Files are written in the background while the next frames are rendered. */
 public final class Renderer {
@@ -97,8 +98,12 @@ public final class Renderer {
             int start = order.movement().bodies() instanceof BodyMotion.Recorded recorded
                     ? recorded.file().firstFrame()
                     : 0;
-            shown.setExposure(
-                    ExposureMeter.stops(shown.frame(start).showing(first)).orElseThrow(BlackPictureException::new));
+            FrameInput input = shown.frame(start).showing(first);
+            // What is not in the picture does not count.
+            OptionalDouble stops = output.background() == Background.NONE
+                    ? ExposureMeter.stops(input, Cutout::radiance)
+                    : ExposureMeter.stops(input);
+            shown.setExposure(stops.orElseThrow(BlackPictureException::new));
         }
     }
 

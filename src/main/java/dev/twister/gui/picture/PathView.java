@@ -1,9 +1,9 @@
 package dev.twister.gui.picture;
 
-import dev.twister.explain.LightSample;
 import dev.twister.explain.PathStep;
+import dev.twister.explain.PathStep.LightSample;
+import dev.twister.explain.PathStep.ShadedSurface;
 import dev.twister.explain.PixelPath;
-import dev.twister.explain.ShadedSurface;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.picking.Projection;

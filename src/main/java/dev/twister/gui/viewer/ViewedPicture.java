@@ -32,6 +32,7 @@ import java.util.Optional;
  * @param lights its light layers; none if the file has none
  * @param guides of denoising, if the file has them
  * @param clean the radiance without noise, if the file has it
+ * @param part which part of the file it is, if there are several
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 public record ViewedPicture(
@@ -41,7 +42,8 @@ public record ViewedPicture(
         Rendering display,
         List<Light> lights,
         Optional<Guides> guides,
-        Optional<float[]> clean) {
+        Optional<float[]> clean,
+        Optional<String> part) {
     private static final int CHANNELS = 3;
     private static final Rgb UNCHANGED = new Rgb(1, 1, 1);
 
@@ -72,6 +74,7 @@ public record ViewedPicture(
                                     : Optional.empty()),
                     List.of(),
                     Optional.empty(),
+                    Optional.empty(),
                     Optional.empty());
         }
         ExrExtent extent = ExrReader.extent(file);
@@ -94,7 +97,8 @@ public record ViewedPicture(
                 FileDisplay.settings(picture.provenance()),
                 List.copyOf(lights),
                 DenoisedPicture.guides(picture),
-                noisy.map(_ -> colors));
+                noisy.map(_ -> colors),
+                ExrReader.part(file));
     }
 
     /**

@@ -68,6 +68,13 @@ class ViewedPictureTest {
     }
 
     @Test
+    void namesTheFirstOfSeveralParts() throws IOException {
+        Path file = Path.of("src", "test", "resources", "exr", "zip-parts.exr");
+
+        assertThat(ViewedPicture.read(file).part()).contains("the first of 3 parts, 'part0'");
+    }
+
+    @Test
     void readsLayersOfOtherPrograms() throws IOException {
         Path file = folder.resolve("blender.exr");
         List<ExrChannel> channels = new ArrayList<>();
