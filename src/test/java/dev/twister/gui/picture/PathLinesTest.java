@@ -1,12 +1,11 @@
 package dev.twister.gui.picture;
 
-import dev.twister.gui.picture.PathView.PathLines;
-
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.explain.PixelPath;
 import dev.twister.gui.edit.Scenes;
+import dev.twister.gui.picture.PathView.PathLines;
 import dev.twister.gui.picture.PathView.PathLines.Kind;
 import dev.twister.gui.picture.PathView.PathLines.Line;
 import java.util.List;
