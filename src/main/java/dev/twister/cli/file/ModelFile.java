@@ -11,6 +11,9 @@ import dev.twister.scene.Ground;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Sky;
+import dev.twister.sky.Skybox;
+import java.util.List;
 import dev.twister.sky.ShippedSky;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
@@ -60,6 +63,16 @@ public record ModelFile(Scene scene, MeshFile content) {
     public ModelFile forPictures() {
         Rendering settings = scene.rendering().withSamplesPerPixel(SAMPLES).withShadowSamples(SHADOW_SAMPLES);
         return new ModelFile(scene.withRendering(settings), content);
+    }
+
+    /** This scene under another sky, which its lamp then fits. */
+    public Scene under(Sky sky) {
+        Scene under = scene.withSky(sky);
+        if (sky.equals(scene.sky())) {
+            return under;
+        }
+        Skybox panorama = SceneImages.read(under.withMeshes(List.of()), _ -> {}).sky();
+        return MeshStage.under(sky.strength() * panorama.lightFromAbove(), under);
     }
 
     /** The same without the plane. */
