@@ -38,7 +38,8 @@ public record BodyNames(Scene scene, Path folder, SceneMeshes meshes, FrameInput
                     new BodyName("plane", 1, "", material(scene.ground().material()), "", ""));
         }
         if (input.isLight(body)) {
-            return shown(scene.lights().list(), Light::tag, input.lightIndex(body)).map(this::light);
+            return shown(scene.lights().list(), Light::tag, input.lightIndex(body))
+                    .map(this::light);
         }
         int firstMesh = input.bodies().firstMesh();
         return firstMesh == Layout.NO_MESHES || body < firstMesh

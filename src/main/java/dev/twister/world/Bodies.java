@@ -99,6 +99,7 @@ public record Bodies(
     }
 
     Bodies withFloats(float[] newFloats) {
-        return new Bodies(newFloats, looks, meshes, room, sphereEnd, end, firstMesh, materials, origin, new HierarchyIdentity());
+        return new Bodies(
+                newFloats, looks, meshes, room, sphereEnd, end, firstMesh, materials, origin, new HierarchyIdentity());
     }
 }

@@ -64,7 +64,10 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
 
     /** The place of a light's body in the scene's list. */
     public int lightIndex(int body) {
-        return IntStream.range(0, lights()).filter(index -> light(index) == body).findFirst().orElseThrow();
+        return IntStream.range(0, lights())
+                .filter(index -> light(index) == body)
+                .findFirst()
+                .orElseThrow();
     }
 
     /** Whether the one light that the paper's formula has is not enough. */

@@ -278,7 +278,9 @@ public final class World {
                 places.numbers().firstMesh(),
                 places.end(),
                 places.firstMesh(),
-                looks.materials() | twins.variant(places.floats(), looks.looks(), places.numbers().room(), places.present()),
+                looks.materials()
+                        | twins.variant(
+                                places.floats(), looks.looks(), places.numbers().room(), places.present()),
                 origin,
                 places.hierarchy());
         float[] values = values(bodies);

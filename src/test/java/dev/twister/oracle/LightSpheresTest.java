@@ -41,7 +41,9 @@ class LightSpheresTest {
                 lights.add(Light.of(place, 0.125, new Rgb(1, 1, 0.5)).withStrength(0.125));
                 Emission emission = new Emission(new Rgb(8, 8, 4), 1, true, LightGroup.NONE);
                 spheres.add(Sphere.of(
-                        place, 0.125, Material.DEFAULT.withColor(new Rgb(0, 0, 0)).withEmission(emission)));
+                        place,
+                        0.125,
+                        Material.DEFAULT.withColor(new Rgb(0, 0, 0)).withEmission(emission)));
             }
             Light none = Light.DEFAULT.withStrength(0);
             float[] ofSpheres =
@@ -57,7 +59,8 @@ class LightSpheresTest {
     void aLightWithoutStrengthIsNotDrawn(String engine) {
         Light inView = Light.DEFAULT.withRadius(1).withPosition(new Vector3(0, 1, 0));
         Light behind = inView.withPosition(new Vector3(0, 1, 2)).withStrength(0);
-        Scene hidden = traced(Lights.of(inView.withPosition(new Vector3(0, 1, -90)).withStrength(0)));
+        Scene hidden =
+                traced(Lights.of(inView.withPosition(new Vector3(0, 1, -90)).withStrength(0)));
         Scene dark = traced(new Lights(List.of(inView.withStrength(0), behind, behind)));
         assertThat(Pictures.radiance(engine, dark, GRAY)).isEqualTo(Pictures.radiance(engine, hidden, GRAY));
         Scene whitted = dark.withRendering(dark.rendering().withIntegrator(Integrator.WHITTED));
@@ -67,8 +70,6 @@ class LightSpheresTest {
     private static Scene traced(Lights lights) {
         Scene scene = Scene.under(Path.of("none.hdr"));
         Rendering settings = scene.rendering().withSize(48, 32).withIntegrator(Integrator.PATH);
-        return scene.withRendering(settings)
-                .withLights(lights)
-                .withCamera(Camera.of(new Vector3(0, 1, -8), 0, 0, 60));
+        return scene.withRendering(settings).withLights(lights).withCamera(Camera.of(new Vector3(0, 1, -8), 0, 0, 60));
     }
 }

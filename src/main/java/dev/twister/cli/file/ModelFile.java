@@ -12,13 +12,13 @@ import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sky;
-import dev.twister.sky.Skybox;
-import java.util.List;
 import dev.twister.sky.ShippedSky;
+import dev.twister.sky.Skybox;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 

@@ -63,8 +63,7 @@ public final class SphereHierarchy {
         return of(places, bodies, lights, mostInLeaf, places.length / Layout.PLACE_STRIDE, new float[0]);
     }
 
-    private static float[] of(
-            float[] places, int bodies, int[] lights, int mostInLeaf, int end, float[] instances) {
+    private static float[] of(float[] places, int bodies, int[] lights, int mostInLeaf, int end, float[] instances) {
         int behind = places.length + Layout.spheresLength(end - Layout.FIRST_SPHERE);
         float[] floats = Arrays.copyOf(places, behind + instances.length);
         System.arraycopy(instances, 0, floats, behind, instances.length);

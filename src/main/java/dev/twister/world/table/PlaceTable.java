@@ -88,8 +88,7 @@ public final class PlaceTable {
         int count = 0;
         for (int index = 0; index < newLights.count(); index++) {
             Light light = newLights.get(index);
-            boolean dark = integrator == Integrator.PATH
-                    && light.strength().orElse(1.0) == 0;
+            boolean dark = integrator == Integrator.PATH && light.strength().orElse(1.0) == 0;
             place(numbers.light(index), dark ? NOWHERE : light.position().minus(origin), dark ? 0 : light.radius());
             if (index > 0 && !dark) {
                 drawn[count++] = numbers.light(index);

@@ -34,7 +34,8 @@ class BareModelTest {
     void theMeshIsAsBrightWithoutTheFloor() throws Exception {
         ModelFile model = model();
         double whole = middle(picture(model, Integrator.PATH, 1));
-        assertThat(middle(picture(model.withoutPlane(), Integrator.PATH, 1)) / whole).isBetween(0.8, 1.25);
+        assertThat(middle(picture(model.withoutPlane(), Integrator.PATH, 1)) / whole)
+                .isBetween(0.8, 1.25);
     }
 
     private ModelFile model() throws Exception {
@@ -47,8 +48,8 @@ class BareModelTest {
         Scene scene = model.scene();
         Rendering settings =
                 scene.rendering().withSize(SIDE, SIDE).withSamplesPerPixel(64).withIntegrator(integrator);
-        World world = model.world(
-                model.under(scene.sky().withStrength(skyStrength)).withRendering(settings), _ -> {});
+        World world =
+                model.world(model.under(scene.sky().withStrength(skyStrength)).withRendering(settings), _ -> {});
         return Pictures.radiance(JvmEngines.SEQUENTIAL, world.snapshot());
     }
 

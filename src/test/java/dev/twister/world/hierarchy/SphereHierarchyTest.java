@@ -86,7 +86,8 @@ class SphereHierarchyTest {
     private static float rootsSpheres(int spheres) {
         RandomCrowds crowd = RandomCrowds.of(new Random(1), spheres);
         float[] hierarchy = SphereHierarchy.of(crowd.places(), crowd.bodies());
-        assertThat(hierarchy).hasSize(crowd.places().length + Layout.spheresLength(crowd.bodies() - Layout.FIRST_SPHERE));
+        assertThat(hierarchy)
+                .hasSize(crowd.places().length + Layout.spheresLength(crowd.bodies() - Layout.FIRST_SPHERE));
         return hierarchy[SphereHierarchy.root(crowd.bodies(), crowd.bodies(), 0) + Layout.NODE_SPHERES];
     }
 

@@ -12,9 +12,8 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Closest sphere or light per ray, through the hierarchies over spheres and over lights. A packet's coherent
- * rays traverse it as one beam. The other rays have one beam each; as many as there are lanes are traversed level by
- * level.
+ * Closest sphere or light per ray, through the hierarchies over spheres and over lights. A packet's coherent rays
+ * traverse it as one beam. The other rays have one beam each; as many as there are lanes are traversed level by level.
  */
 public final class PacketHits {
     /** Smallest cosine between the directions of coherent rays. */
@@ -129,8 +128,7 @@ public final class PacketHits {
         walks.packetBeams.holdRays(tile.values, tile.lonely.pixels, first);
         boolean found = leaves.find(hierarchy, walks.packetBeams, count);
         if (found && leaves.end - leaves.first <= count * MOST_LEAVES) {
-            walks.raySpheres.meet(
-                    tile, walks.packetBeams, hierarchy, first, leaves.links, leaves.first, leaves.end);
+            walks.raySpheres.meet(tile, walks.packetBeams, hierarchy, first, leaves.links, leaves.first, leaves.end);
         } else {
             for (int beam = 0; beam < count; beam++) {
                 descend(hierarchy, tile, walks, first, beam);

@@ -48,8 +48,8 @@ public final class HitSorting {
             }
             VectorMask<Float> light = hit.compare(VectorOperators.EQ, Layout.LIGHT);
             if (drawing.lightSpheres) {
-                light = light.or(hit.compare(VectorOperators.GE, firstLight)
-                        .and(hit.compare(VectorOperators.LT, endOfLights)));
+                light = light.or(
+                        hit.compare(VectorOperators.GE, firstLight).and(hit.compare(VectorOperators.LT, endOfLights)));
             }
             if (light.anyTrue()) {
                 tile.lights.add(at);
