@@ -31,7 +31,7 @@ final class B44Decoder {
             }
             plane += bytes;
         }
-        ExrDamage.check(from == packed.length);
+        ExrChunkDecoder.check(from == packed.length);
         return ExrChunkDecoder.byRows(planes.array(), part, width, height);
     }
 

@@ -1,6 +1,7 @@
 package dev.twister.image;
 
 import dev.twister.files.WholeFile;
+import dev.twister.image.ExrPicture.ExrChannel;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;

@@ -59,16 +59,16 @@ public final class Layout {
     public static final int FIRST_ROW = 31;
     public static final int ROWS = 32;
 
-    /** Number of bodies without meshes and without further lights: the first light, the plane and the spheres. */
+    /** Number of present bodies without meshes: the first light, the plane and the spheres. */
     public static final int BODIES = 33;
 
     /**
-     * The first mesh's body; it is 0 if there are no meshes. Meshes are numbered after all spheres, including those not
-     * poured yet, and after the second and further lights, which come between them.
+     * The first mesh's body; it is 0 if there are no meshes. Meshes are numbered after all spheres: those not poured
+     * yet, and the lights after the first, come between them.
      */
     public static final int FIRST_MESH = 34;
 
-    /** Place of the spheres' root in {@code bodies}. */
+    /** Place in {@code bodies} of the root over all spheres. */
     public static final int ROOT = 35;
 
     /** Place of the meshes' hierarchy in {@code bodies}. */
@@ -89,19 +89,22 @@ public final class Layout {
     /** Place of the sky's table of probabilities in {@code images}, divided by {@value #ALIGNMENT}. */
     public static final int SKY_TABLE = 42;
 
-    /** Number of lights, and the second light's body; the others follow it. */
+    /** Number of lights, and place in {@code looks} of the table of their bodies. */
     public static final int LIGHTS = 43;
 
-    public static final int SECOND_LIGHT = 44;
+    public static final int LIGHT_TABLE = 44;
+
+    /** Place in {@code bodies} of the root over the spheres that cast shadows, which lights do not. */
+    public static final int SHADOW_ROOT = 45;
 
     /** Number of the first of the pixel's samples in the infinite sequence. */
-    public static final int FIRST_SAMPLE = 45;
+    public static final int FIRST_SAMPLE = 46;
 
     /**
      * Place in {@code frame} of the tiles to render: for each square of {@value #TILE_SIDE} x {@value #TILE_SIDE}
      * pixels of the rows, from the top left, 1 if it is to be rendered, else 0. 0 if all are.
      */
-    public static final int TILES = 46;
+    public static final int TILES = 47;
 
     public static final int TILE_SIDE = 16;
 
@@ -109,22 +112,22 @@ public final class Layout {
     public static final int MOST_TILES = 4096;
 
     /** With {@link LightLayers}: their number, and the place of the bodies' groups in {@code looks}. */
-    public static final int LIGHT_LAYERS = 47;
+    public static final int LIGHT_LAYERS = 48;
 
-    public static final int LIGHT_GROUPS = 48;
+    public static final int LIGHT_GROUPS = 49;
 
     /** The body that the camera is in, and the one around that ({@link Medium}); {@link #NOTHING} for none. */
-    public static final int CAMERA_MEDIUM = 49;
+    public static final int CAMERA_MEDIUM = 50;
 
-    public static final int CAMERA_OUTER_MEDIUM = 50;
+    public static final int CAMERA_OUTER_MEDIUM = 51;
 
     /** Place of the pixel's samples in {@code frame}. */
-    public static final int SAMPLES = 51;
+    public static final int SAMPLES = 52;
 
     /**
      * The points of the unit sunflower, x and y of each shadow sample; then, at {@link #SAMPLES}, the pixel's samples.
      */
-    public static final int DISC = 52;
+    public static final int DISC = 53;
 
     /**
      * A sample of the pixel, {@value #SAMPLE_STRIDE} floats: its position in the pixel, x and y in (0, 1); then pairs
@@ -175,28 +178,31 @@ public final class Layout {
     /** Number of the body's row in the maps' table, from 1 on; 0 for none. */
     public static final int LOOK_MAPS = 7;
 
-    /**
-     * How much of a metal the body is, in [0, 1]; {@code -1 - metallic} if in path tracing Fresnel's equations decide
-     * what it reflects.
-     */
+    /** How much of a metal the body is, in [0, 1]. */
     public static final int LOOK_METALLIC = 8;
 
-    /** Emitted radiance, three floats; the light has one in path tracing alone. */
-    public static final int LOOK_EMISSION = 9;
+    /** 1 if in path tracing Fresnel's equations decide what the body reflects, else 0. */
+    public static final int LOOK_FRESNEL = 9;
 
-    /**
-     * Number of the body's first emitter, from 1 on, negative if only the outer sides of triangles emit; 0 or -1
-     * without one.
-     */
-    public static final int LOOK_EMITTER = 12;
+    /** Emitted radiance, three floats; a light has one in path tracing alone. */
+    public static final int LOOK_EMISSION = 10;
+
+    /** Number of the body's first emitter, from 1 on; 0 without one. */
+    public static final int LOOK_EMITTER = 13;
+
+    /** 1 if only the outer sides of the body's triangles emit, else 0. */
+    public static final int LOOK_ONE_SIDED = 14;
 
     /** Absorption inside a transmitting body, per meter and channel. */
-    public static final int LOOK_ABSORPTION = 13;
+    public static final int LOOK_ABSORPTION = 15;
 
-    /** A light's factor of what it adds to the brightness of matte surfaces; lights have no inside. */
-    public static final int LOOK_SHARE = 13;
+    /** A light's factor of what it adds to the brightness of matte surfaces; 0 for other bodies. */
+    public static final int LOOK_SHARE = 18;
 
-    public static final int LOOK_STRIDE = 16;
+    /** 1 for a light, which is drawn in its own color, else 0. */
+    public static final int LOOK_LIGHT = 19;
+
+    public static final int LOOK_STRIDE = 24;
 
     /**
      * After the bodies' looks, from {@link #MAPS} on, a table of the materials with maps. A row has first the maps. A
@@ -287,7 +293,8 @@ public final class Layout {
     /**
      * In {@code bodies}, after the places, a bounding volume hierarchy over the spheres: first the spheres, contiguous
      * per leaf, then the nodes, the root first, at {@link #ROOT}. A sphere has its center and radius as in the places,
-     * then its body number.
+     * then its body number. Lights after the first are spheres: with them, the root's first child is at
+     * {@link #SHADOW_ROOT}, over the other spheres, and its second is over these lights.
      */
     public static final int SPHERE_RADIUS = PLACE_SIZE;
 
@@ -620,9 +627,8 @@ public final class Layout {
 
     private Layout() {}
 
-    /** Length of the spheres' hierarchy for a number of bodies without meshes. */
-    public static int spheresLength(int room) {
-        int spheres = room - FIRST_SPHERE;
-        return SPHERE_STRIDE * spheres + NODE_STRIDE * (spheres > 0 ? 2 * spheres - 1 : 1);
+    /** Length of the hierarchy over that number of spheres. */
+    public static int spheresLength(int spheres) {
+        return SPHERE_STRIDE * spheres + NODE_STRIDE * (2 * spheres + 1);
     }
 }

@@ -42,9 +42,32 @@ public final class MeshStage {
 
     private static final Rgb BRIGHT = new Rgb(0.8, 0.8, 0.8);
     private static final Rgb DARK = new Rgb(0.35, 0.35, 0.35);
-    private static final Light LIGHT = Light.of(new Vector3(-3, 6, -4), 0.5, new Rgb(1, 1, 1));
+    private static final Vector3 LAMP = new Vector3(-3, 6, -4);
+
+    /** What the lamp adds at least to the light of a sky, for shadows and highlights. */
+    private static final double LEAST_PART = 0.1;
+
+    /** Light of the day sky on a surface that faces up, under which the window opens a mesh. */
+    private static final double DAY = 0.81;
 
     private MeshStage() {}
+
+    /**
+     * The scene under another sky: with path tracing, the stage's own lamp adds what the sky's light lacks for the
+     * brightness that the ground has without path tracing.
+     *
+     * @param sky the luminance of a white surface that faces up, under the sky alone
+     */
+    public static Scene under(double sky, Scene scene) {
+        return scene.lights().equals(Lights.of(lamp(DAY))) ? scene.withLights(Lights.of(lamp(sky))) : scene;
+    }
+
+    private static Light lamp(double sky) {
+        double squared = LAMP.dot(LAMP);
+        double lit = LAMP.y() / Math.sqrt(squared);
+        double part = Math.max(1 - sky / lit, LEAST_PART);
+        return Light.of(LAMP, 0.5, new Rgb(1, 1, 1)).withStrength(part * squared);
+    }
 
     /** Default file for saving a mesh's scene: beside the mesh. */
     public static Path sceneFile(Path mesh) {
@@ -91,7 +114,7 @@ public final class MeshStage {
                 .withTitle(Title.NONE.withName(file.getFileName().toString()))
                 .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
                 .withViews(around.cameras().stream().map(FileCamera::view).toList())
-                .withLights(around.lights().isEmpty() ? Lights.of(LIGHT) : lights.of(around.lights(), scale))
+                .withLights(around.lights().isEmpty() ? Lights.of(lamp(DAY)) : lights.of(around.lights(), scale))
                 .withRendering(Rendering.DEFAULT.withShadowSamples(SHADOW_SAMPLES))
                 .withGround(Ground.of(PLANE_SIZE, PLANE_HEIGHT, BRIGHT, DARK, 0))
                 .withMeshes(List.of(mesh));

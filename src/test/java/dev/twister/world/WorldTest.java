@@ -61,7 +61,9 @@ class WorldTest {
                         scene.withSpheres(List.of(sphere)), new SceneImages(Worlds.SKY, Map.of(file, texture)))
                 .snapshot();
         assertThat(looks(input, Layout.FIRST_SPHERE))
-                .containsExactly(0.1f, 0.2f, 0.3f, 40, 0.41f, 0.42f, 1.43f, 1, 0.44f, 1, 2, 3, -1, 0.5f, 1, 0);
+                .containsExactly(
+                        0.1f, 0.2f, 0.3f, 40, 0.41f, 0.42f, 1.43f, 1, 0.44f, 0, 1, 2, 3, 0, 1, 0.5f, 1, 0, 0, 0, 0, 0,
+                        0, 0);
         assertThat(input.images())
                 .startsWith(70, 71, 72, 73, 74, 75, 0)
                 .hasSize(Layout.ALIGNMENT + 3)
@@ -71,7 +73,7 @@ class WorldTest {
                         input.bodies().textures(),
                         input.bodies().looks().length))
                 .startsWith(1, 1, 1)
-                .hasSize(Layout.MAPS_STRIDE);
+                .hasSize(Layout.MAPS_STRIDE + 1);
     }
 
     private static float[] places(FrameInput input) {
@@ -93,16 +95,17 @@ class WorldTest {
         assertThat(Arrays.copyOfRange(frame, Layout.FIRST_MESH, Layout.DISC))
                 .containsExactly(
                         Layout.NO_MESHES,
-                        input.bodies().root(4),
+                        input.shadowRoot(),
                         input.bodies().floats().length,
-                        input.bodies().looks().length,
+                        input.bodies().looks().length - 1,
                         10,
                         0,
                         0,
                         0,
                         0,
                         1,
-                        4,
+                        input.bodies().looks().length - 1,
+                        input.shadowRoot(),
                         0,
                         0,
                         0,

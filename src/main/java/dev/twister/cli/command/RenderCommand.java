@@ -223,7 +223,9 @@ final class RenderCommand implements Callable<Integer> {
         if (mesh.isEmpty() && model.areGiven()) {
             throw new BadInputException("--up, --rotate and --scene are for mesh files, but " + file + " is a scene");
         }
-        Scene scene = sky.over(mesh.isPresent() ? mesh.get().scene() : VisibleBodies.of(SceneFiles.read(file)));
+        Scene scene = mesh.isPresent()
+                ? mesh.get().under(sky.over(mesh.get().scene()).sky())
+                : sky.over(VisibleBodies.of(SceneFiles.read(file)));
         Optional<MotionFile> recorded = film.open(scene);
         try {
             RenderOrder order = order(scene, picture, recorded);

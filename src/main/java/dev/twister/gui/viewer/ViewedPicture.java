@@ -6,10 +6,10 @@ import dev.twister.denoise.Denoisers;
 import dev.twister.denoise.NoisyPicture;
 import dev.twister.denoise.NoisyPicture.Guides;
 import dev.twister.denoise.Plane;
-import dev.twister.image.ExrExtent;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
-import dev.twister.image.PictureNotes;
+import dev.twister.image.ExrReader.ExrExtent;
+import dev.twister.image.Provenance;
 import dev.twister.render.DenoisedPicture;
 import dev.twister.render.FileDisplay;
 import dev.twister.render.PictureFormat;
@@ -70,7 +70,7 @@ public record ViewedPicture(
                     image.radiance(),
                     FileDisplay.settings(
                             PictureFormat.of(file).equals(Optional.of(PictureFormat.HDR))
-                                    ? PictureNotes.of(file, 0, image.height())
+                                    ? Provenance.ofFile(file, 0, image.height())
                                     : Optional.empty()),
                     List.of(),
                     Optional.empty(),

@@ -32,7 +32,7 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
     /**
      * The tables for the present bodies.
      *
-     * @param bodyCount number of present bodies without meshes and further lights
+     * @param bodyCount number of present bodies: the first light, the plane and the spheres
      * @param lights each light's radiance
      * @param images {@code images} of {@link Layout}, the sky first
      * @param sky the panorama
@@ -41,15 +41,15 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
     public static Emitters of(
             Bodies bodies, int bodyCount, List<Rgb> lights, float[] images, Skybox sky, boolean skyShines) {
         float[] looks = bodies.looks().clone();
-        int further = lights.size() - 1;
+        BodyNumbers numbers = new BodyNumbers(bodies.room() - Layout.FIRST_SPHERE, lights.size());
         for (int index = 0; index < lights.size(); index++) {
-            int body = index == 0 ? Layout.LIGHT : bodies.room() + index - 1;
-            LookTable.putColor(looks, Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION, lights.get(index));
+            int look = Layout.LOOK_STRIDE * numbers.light(index);
+            LookTable.putColor(looks, look + Layout.LOOK_EMISSION, lights.get(index));
         }
         List<Emitter> emitters = new ArrayList<>();
         EmissionMeans means = new EmissionMeans(looks, bodies.textures(), images);
         addSpheres(bodies, 0, bodyCount, looks, means, emitters);
-        addSpheres(bodies, bodies.room(), bodies.room() + further, looks, means, emitters);
+        addSpheres(bodies, bodies.room(), bodies.sphereEnd(), looks, means, emitters);
         if (bodies.firstMesh() != Layout.NO_MESHES) {
             addTriangles(bodies, looks, means, emitters);
         }
@@ -112,9 +112,9 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
             int body = (int) floats[at + Layout.INSTANCE_BODY];
             double radiance = means.of(body);
             if (radiance > 0) {
-                int look = Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER;
-                int sides = looks[look] < 0 ? 1 : 2;
-                looks[look] = (1 + emitters.size()) * (sides == 1 ? -1 : 1);
+                int look = Layout.LOOK_STRIDE * body;
+                int sides = looks[look + Layout.LOOK_ONE_SIDED] > 0 ? 1 : 2;
+                looks[look + Layout.LOOK_EMITTER] = 1 + emitters.size();
                 int triangles = (int) floats[at + Layout.INSTANCE_TRIANGLES];
                 for (int triangle = 0; triangle < triangles; triangle++) {
                     double area = area(floats, at, bodies.meshes(), triangle);

@@ -3,8 +3,8 @@ package dev.twister.gui.viewer;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIOException;
 
-import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrPicture;
+import dev.twister.image.ExrPicture.ExrChannel;
 import dev.twister.image.ExrWriter;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.Provenance;

@@ -134,6 +134,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             int present = (int) in[8 * i + 7];
             frame[Layout.BODIES] = present;
             frame[Layout.ROOT] = Layout.PLACE_STRIDE * present + Layout.SPHERE_STRIDE * (present - Layout.FIRST_SPHERE);
+            frame[Layout.SHADOW_ROOT] = frame[Layout.ROOT];
             path[Layout.ORIGIN] = in[8 * i];
             path[Layout.ORIGIN + 1] = in[8 * i + 1];
             path[Layout.ORIGIN + 2] = in[8 * i + 2];
@@ -160,6 +161,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             int present = (int) in[8 * i + 7];
             frame[Layout.BODIES] = present;
             frame[Layout.ROOT] = Layout.PLACE_STRIDE * present + Layout.SPHERE_STRIDE * (present - Layout.FIRST_SPHERE);
+            frame[Layout.SHADOW_ROOT] = frame[Layout.ROOT];
             path[Layout.ORIGIN] = in[8 * i];
             path[Layout.ORIGIN + 1] = in[8 * i + 1];
             path[Layout.ORIGIN + 2] = in[8 * i + 2];

@@ -35,7 +35,7 @@ class HelpersOnDeviceTest {
     private static final int ITEMS = 20_000;
     private static final int BODIES = 42;
     private static final int LOOKS = Layout.LOOK_STRIDE * BODIES;
-    private static final int PLACED = Layout.PLACE_STRIDE * BODIES + Layout.spheresLength(BODIES);
+    private static final int PLACED = Layout.PLACE_STRIDE * BODIES + Layout.spheresLength(BODIES - Layout.FIRST_SPHERE);
     private static final int MANY_BODIES = 1000;
     private static final int MOST_SAMPLES = 500;
     private static final int MESHES = 3;
@@ -130,7 +130,7 @@ class HelpersOnDeviceTest {
                 8,
                 1,
                 Layout.DISC + 2 * MOST_SAMPLES,
-                Layout.PLACE_STRIDE * MANY_BODIES + Layout.spheresLength(MANY_BODIES),
+                Layout.PLACE_STRIDE * MANY_BODIES + Layout.spheresLength(MANY_BODIES - Layout.FIRST_SPHERE),
                 Layout.LOOK_STRIDE * MANY_BODIES)) {
             Random random = new Random(11);
             fillTransmissions(run.third, random);
@@ -138,10 +138,11 @@ class HelpersOnDeviceTest {
                 float[] places = new float[Layout.PLACE_STRIDE * bodies];
                 for (int samples : new int[] {1, 7, 64, MOST_SAMPLES}) {
                     fillSunflower(run.first, samples);
-                    run.first[Layout.ROOT] = SphereHierarchy.root(bodies, bodies);
+                    run.first[Layout.ROOT] = SphereHierarchy.root(bodies, bodies, 0);
+                    run.first[Layout.SHADOW_ROOT] = run.first[Layout.ROOT];
                     fillBodies(places, random);
                     put(places, 1, OUT_OF_THE_WAY);
-                    put(run.second, 0, SphereHierarchy.of(places, bodies, 1 + random.nextInt(bodies)));
+                    put(run.second, 0, SphereHierarchy.of(places, bodies, new int[0], 1 + random.nextInt(bodies)));
                     for (int item = 0; item < ITEMS / 10; item++) {
                         put(run.input, item, shadowedPoint(bodies, random));
                     }
@@ -176,7 +177,8 @@ class HelpersOnDeviceTest {
                 helper, device, items, 7, outputs, frame, bodies.floats().length, bodies.meshes().length)) {
             fillSunflower(run.first, HelperKernels.MESH_SAMPLES);
             run.first[Layout.FIRST_MESH] = bodies.firstMesh();
-            run.first[Layout.ROOT] = bodies.root(Layout.FIRST_SPHERE);
+            run.first[Layout.ROOT] = SphereHierarchy.root(bodies.end(), Layout.FIRST_SPHERE, 0);
+            run.first[Layout.SHADOW_ROOT] = run.first[Layout.ROOT];
             run.first[Layout.INSTANCES] = bodies.instances();
             run.first[looks + Layout.LOOK_STRIDE * (Layout.FIRST_SPHERE + 1) + Layout.LOOK_TRANSMISSION] = 0.5f;
             put(run.second, 0, bodies.floats());
@@ -338,7 +340,7 @@ class HelpersOnDeviceTest {
         if (run.second.length > 1) {
             float[] places = new float[Layout.PLACE_STRIDE * BODIES];
             fillBodies(places, random);
-            put(run.first, 0, SphereHierarchy.of(places, BODIES, MOST_IN_LEAF));
+            put(run.first, 0, SphereHierarchy.of(places, BODIES, new int[0], MOST_IN_LEAF));
             fillTransmissions(run.second, random);
         } else if (run.first.length == Layout.INSTANCE_STRIDE) {
             put(run.first, 0, floats(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0));
