@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -55,7 +56,7 @@ final class OidnProcess implements AutoCloseable {
         } catch (IOException problem) {
             throw new DenoiseException("was not tried, because no process could be started: " + problem, problem);
         }
-        process.onExit().thenRun(this::closeChannels);
+        CompletableFuture<Void> _ = process.onExit().thenRun(this::closeChannels);
         version = asked(mostSeconds, () -> {
             FloatChannel connected = new FloatChannel(server.accept());
             channel = Optional.of(connected);
