@@ -44,7 +44,7 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
     public static Emitters of(
             Bodies bodies, int bodyCount, List<Rgb> lights, float[] images, Skybox sky, boolean skyShines) {
         float[] looks = bodies.looks().clone();
-        BodyNumbers numbers = new BodyNumbers(bodies.room() - Layout.FIRST_SPHERE, lights.size());
+        BodyOrder numbers = new BodyOrder(bodies.room() - Layout.FIRST_SPHERE, lights.size());
         for (int index = 0; index < lights.size(); index++) {
             int look = Layout.LOOK_STRIDE * numbers.light(index);
             LookTable.putColor(looks, look + Layout.LOOK_EMISSION, lights.get(index));
