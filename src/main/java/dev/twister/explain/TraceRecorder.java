@@ -1,7 +1,11 @@
 package dev.twister.explain;
 
-import dev.twister.explain.Scattering.EmitterChoice;
-import dev.twister.explain.Scattering.LobeChoice;
+import dev.twister.explain.PathRecorder.Floats;
+import dev.twister.explain.PathStep.FoundLight;
+import dev.twister.explain.PathStep.RayKind;
+import dev.twister.explain.PathStep.Scattering;
+import dev.twister.explain.PathStep.Scattering.EmitterChoice;
+import dev.twister.explain.PathStep.Scattering.LobeChoice;
 import dev.twister.kernel.Emitter;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;

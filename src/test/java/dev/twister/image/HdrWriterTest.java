@@ -8,7 +8,7 @@ import net.jqwik.api.constraints.FloatRange;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-class RgbeCodecTest {
+class HdrWriterTest {
     @Property(tries = 2000)
     void readsBackWithinAPartIn256OfTheLargestChannel(
             @ForAll @FloatRange(min = 0, max = 2) float red,
@@ -52,7 +52,7 @@ class RgbeCodecTest {
 
     private static double[] readBack(float... radiance) {
         byte[] rgbe = new byte[4];
-        RgbeCodec.encode(radiance, 0, rgbe, 0);
+        HdrWriter.encode(radiance, 0, rgbe, 0);
         int exponent = Byte.toUnsignedInt(rgbe[3]);
         double[] read = new double[3];
         for (int channel = 0; channel < 3; channel++) {
