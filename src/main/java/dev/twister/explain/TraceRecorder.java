@@ -161,7 +161,7 @@ final class TraceRecorder {
         direct = new FoundLight(Floats.rgb(ray, Layout.EMITTED), density, chosen, weight);
         directThroughput = new Rgb(direct(ray, 0), direct(ray, 1), direct(ray, 2));
         directBody = (int) looks[emitter + Layout.EMITTER_BODY];
-        return new EmitterChoice(directBody, looks[emitter + Layout.EMITTER_PROBABILITY]);
+        return new EmitterChoice(directBody, ray[Layout.CHOICE]);
     }
 
     /** {@code T * f * |cos| / p} of a channel. */

@@ -9,15 +9,6 @@ public final class SeveralLights {
         return (int) looks[(int) frame[Layout.LIGHT_TABLE] + index];
     }
 
-    /** The body of the light that shades now: the only one, or {@link Layout#SHADING_LIGHT}. */
-    static int shading(float[] path, int variant) {
-        int light = Layout.LIGHT;
-        if ((variant & Variant.LIGHTS) != 0) {
-            light = (int) path[Layout.SHADING_LIGHT];
-        }
-        return light;
-    }
-
     /**
      * Lets a light shade: writes its body, and its direction from {@link Layout#POINT} as {@link Illumination#aim}.
      *

@@ -58,7 +58,7 @@ public final class Shadow {
         }
         int matters = (Variant.stageOrView(variant) == Views.SHADOW ? 1 : 0) | matters(path, frame, variant);
         if ((matters & (visible > 0f ? 1 : 0)) != 0) {
-            int light = SeveralLights.shading(path, variant);
+            int light = Illumination.shading(path, variant);
             float discRadius = 2f * bodies[Layout.PLACE_STRIDE * light + Layout.PLACE_SIZE];
             face(path, discRadius, frame);
             int plane = PlaneShadow.mayBlock(path, own, discRadius, bodies, variant);

@@ -21,7 +21,7 @@ public final class ShadowRay {
             float[] looks,
             float[] meshes,
             int variant) {
-        float discRadius = 2f * bodies[Layout.PLACE_STRIDE * SeveralLights.shading(path, variant) + Layout.PLACE_SIZE];
+        float discRadius = 2f * bodies[Layout.PLACE_STRIDE * Illumination.shading(path, variant) + Layout.PLACE_SIZE];
         Shadow.face(path, discRadius, frame);
         float scale = path[Layout.DISC_SCALE];
         float x = frame[Layout.DISC + 2 * sample] * scale;

@@ -10,7 +10,7 @@ import dev.twister.scene.SceneException;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.light.LightGroup;
 import dev.twister.scene.material.Emission;
-import dev.twister.world.table.BodyNumbers;
+import dev.twister.world.table.BodyOrder;
 import dev.twister.world.table.GroupNumbers;
 import dev.twister.world.table.MeshBody;
 import java.util.List;
@@ -31,7 +31,7 @@ public record LightGroups(List<String> names, float[] layers) {
      */
     public static LightGroups of(Scene scene, List<MeshBody> meshes) {
         List<Sphere> spheres = scene.allSpheres();
-        BodyNumbers bodies = BodyNumbers.of(scene);
+        BodyOrder bodies = BodyOrder.of(scene);
         GroupNumbers numbers = new GroupNumbers(1 + bodies.firstMesh() + meshes.size());
         if (scene.sky().strength() > 0) {
             numbers.put(Layout.NOTHING, LightGroup.SKY);

@@ -110,6 +110,7 @@ class WorldTest {
                         0,
                         0,
                         0,
+                        0,
                         -1,
                         -1,
                         Layout.DISC + 2 * 5);

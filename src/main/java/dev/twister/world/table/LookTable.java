@@ -21,7 +21,7 @@ public final class LookTable {
 
     private float[] looks = {};
     private int materials;
-    private BodyNumbers numbers = new BodyNumbers(0, 1);
+    private BodyOrder numbers = new BodyOrder(0, 1);
     private int lightTable;
     private MapTexels texels = MapTexels.NONE;
 
@@ -40,7 +40,7 @@ public final class LookTable {
             float[] meshFloats,
             SceneImages newImages) {
         MapTable table = new MapTable(newImages);
-        numbers = new BodyNumbers(spheres.size(), lights.count());
+        numbers = new BodyOrder(spheres.size(), lights.count());
         float[] materials = new float[Layout.LOOK_STRIDE * (numbers.firstMesh() + meshes.size())];
         put(materials, Layout.PLANE, ground.material(), table.row(ground.material()));
         int body = Layout.FIRST_SPHERE;

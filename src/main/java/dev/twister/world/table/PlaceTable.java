@@ -24,7 +24,7 @@ public final class PlaceTable {
     private final Vector3 origin;
     private float[] places = {};
     private float[] instances = {};
-    private BodyNumbers numbers = new BodyNumbers(0, 1);
+    private BodyOrder numbers = new BodyOrder(0, 1);
     private int present;
     private int[] lights = {};
     private float[] floats = {};
@@ -56,8 +56,8 @@ public final class PlaceTable {
         float[] before = places;
         float[] instancesBefore = instances;
         boolean held = floatsHold;
-        BodyNumbers numbersBefore = numbers;
-        numbers = new BodyNumbers(spheres.size(), newLights.count());
+        BodyOrder numbersBefore = numbers;
+        numbers = new BodyOrder(spheres.size(), newLights.count());
         boolean samePresent = present == newPresent && numbers.equals(numbersBefore);
         present = newPresent;
         instances = InstanceTable.of(meshes, meshData, numbers.firstMesh());
@@ -151,7 +151,7 @@ public final class PlaceTable {
         return hierarchy;
     }
 
-    public BodyNumbers numbers() {
+    public BodyOrder numbers() {
         return numbers;
     }
 

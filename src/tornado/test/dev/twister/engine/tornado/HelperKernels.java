@@ -7,6 +7,7 @@ import dev.twister.kernel.Illumination;
 import dev.twister.kernel.Intersection;
 import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.LightTree;
 import dev.twister.kernel.MeshRay;
 import dev.twister.kernel.Refraction;
 import dev.twister.kernel.Shadow;
@@ -61,6 +62,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             case "triangle" -> HelperKernels::triangleItems;
             case "mesh" -> HelperKernels::meshItems;
             case "meshShadow" -> HelperKernels::meshShadowItems;
+            case "lightTree" -> HelperKernels::lightTreeItems;
             default -> throw new IllegalArgumentException(helper);
         };
     }
@@ -149,6 +151,32 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             }
             out[2 * i] = Hit.find(path, scratch, frame, bodies, looks, bodies, Variant.MATERIALS);
             out[2 * i + 1] = path[Layout.DISTANCE];
+        }
+    }
+
+    /** Item: point, normal, number. Table: the frame's values, then the looks. */
+    static void lightTreeItems(float[] in, float[] table, float[] b, float[] c, float[] out, int count) {
+        for (@Parallel int i = 0; i < count; i++) {
+            float[] path = new float[Layout.TRACED_PATH_LENGTH];
+            float[] frame = new float[Layout.DISC];
+            for (int k = 0; k < Layout.DISC; k++) {
+                frame[k] = table[k];
+            }
+            path[Layout.TRANSMISSION] = 0f;
+            path[Layout.POINT] = in[7 * i];
+            path[Layout.POINT + 1] = in[7 * i + 1];
+            path[Layout.POINT + 2] = in[7 * i + 2];
+            path[Layout.ORIGIN] = in[7 * i];
+            path[Layout.ORIGIN + 1] = in[7 * i + 1];
+            path[Layout.ORIGIN + 2] = in[7 * i + 2];
+            path[Layout.NORMAL] = in[7 * i + 3];
+            path[Layout.NORMAL + 1] = in[7 * i + 4];
+            path[Layout.NORMAL + 2] = in[7 * i + 5];
+            int emitter = LightTree.choose(path, in[7 * i + 6], frame, table);
+            int row = (int) frame[Layout.EMITTER_TABLE] + Layout.EMITTER_STRIDE * emitter;
+            out[3 * i] = emitter;
+            out[3 * i + 1] = path[Layout.CHOICE];
+            out[3 * i + 2] = LightTree.probability(path, (int) table[row + Layout.EMITTER_LEAF], frame, table);
         }
     }
 

@@ -5,18 +5,24 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.kernel.Layout;
 import dev.twister.mesh.MeshFile;
 import dev.twister.oracle.MeshShapes;
+import dev.twister.scene.Integrator;
+import dev.twister.scene.Light;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
 import dev.twister.sky.Skybox;
 import dev.twister.world.Bodies;
+import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import dev.twister.world.hierarchy.SphereHierarchy;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
@@ -117,6 +123,40 @@ class HelpersOnDeviceTest {
             }
             requireNear(run, helper.tolerance(), helper.outliers());
         }
+    }
+
+    /** Where rounding decides between two emitters, a few items may differ. */
+    @ParameterizedTest(name = "tree of lights on {0}")
+    @MethodSource("devices")
+    void lightsAreChosenAsOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
+        Random random = new Random(13);
+        FrameInput input = lamps(300, random);
+        float[] looks = input.bodies().looks();
+        float[] frame = Arrays.copyOf(input.view().frame(), Layout.DISC);
+        frame[Layout.EMITTER_TABLE] += Layout.DISC;
+        frame[Layout.LIGHT_TREE] += Layout.DISC;
+        try (HelperRun run = new HelperRun("lightTree", device, ITEMS, 7, 3, Layout.DISC + looks.length, 1, 1)) {
+            put(run.first, 0, concat(frame, looks));
+            for (int item = 0; item < ITEMS; item++) {
+                float[] point = floats(spread(random, 9), spread(random, 2), spread(random, 9));
+                put(run.input, item, concat(concat(point, direction(random)), floats(random.nextFloat())));
+            }
+            requireNear(run, 1e-4, ITEMS / 500);
+        }
+    }
+
+    private static FrameInput lamps(int count, Random random) {
+        List<Light> lights = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            Vector3 place = new Vector3(spread(random, 9), spread(random, 2), spread(random, 9));
+            lights.add(Light.of(place, 0.01 + random.nextDouble(), new Rgb(1, 1, 1))
+                    .withStrength(random.nextDouble()));
+        }
+        Scene scene = Scene.under(Path.of("none")).withLights(new Lights(lights));
+        return World.of(
+                        scene.withRendering(scene.rendering().withIntegrator(Integrator.PATH)),
+                        SceneImages.of(new Skybox(1, 1, new float[] {1, 1, 1})))
+                .snapshot();
     }
 
     /** No, one, a few and more candidates than a point's list holds; few and many samples. */

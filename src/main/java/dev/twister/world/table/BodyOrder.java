@@ -9,9 +9,9 @@ import dev.twister.scene.Scene;
  * @param spheres number of spheres, including those to be poured
  * @param lights number of lights, at least 1
  */
-public record BodyNumbers(int spheres, int lights) {
-    public static BodyNumbers of(Scene scene) {
-        return new BodyNumbers(scene.allSpheres().size(), scene.lights().count());
+public record BodyOrder(int spheres, int lights) {
+    public static BodyOrder of(Scene scene) {
+        return new BodyOrder(scene.allSpheres().size(), scene.lights().count());
     }
 
     public int light(int index) {
