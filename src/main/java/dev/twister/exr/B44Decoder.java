@@ -31,7 +31,7 @@ final class B44Decoder {
             }
             plane += bytes;
         }
-        ExrChunkDecoder.check(from == packed.length);
+        ExrDamage.check(from == packed.length);
         return ExrChunkDecoder.byRows(planes.array(), part, width, height);
     }
 

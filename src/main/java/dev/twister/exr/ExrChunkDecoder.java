@@ -46,7 +46,7 @@ final class ExrChunkDecoder {
                 at += count + 1;
             }
         }
-        check(at == length);
+        ExrDamage.check(at == length);
         return plain;
     }
 
@@ -55,9 +55,9 @@ final class ExrChunkDecoder {
         byte[] plain = new byte[length];
         try (Inflater inflater = new Inflater()) {
             inflater.setInput(packed);
-            check(inflater.inflate(plain) == length);
+            ExrDamage.check(inflater.inflate(plain) == length);
             // The checksum at the end is read with the next byte.
-            check(inflater.inflate(new byte[1]) == 0 && inflater.finished());
+            ExrDamage.check(inflater.inflate(new byte[1]) == 0 && inflater.finished());
         }
         return plain;
     }
@@ -124,12 +124,5 @@ final class ExrChunkDecoder {
             }
         }
         return rows;
-    }
-
-    /** Ends the reading of a file that is not as its format says. */
-    static void check(boolean right) throws DataFormatException {
-        if (!right) {
-            throw new DataFormatException();
-        }
     }
 }

@@ -6,6 +6,7 @@ import dev.twister.film.EncodedPixels;
 import dev.twister.film.FilmFile;
 import dev.twister.film.FilmFormat;
 import dev.twister.film.FilmWriting;
+import dev.twister.image.PictureNotes;
 import dev.twister.image.Provenance;
 import dev.twister.render.RenderOrder.BodyMotion;
 import dev.twister.threads.BackgroundWriter;
@@ -166,7 +167,7 @@ public final class Renderer {
             return false;
         }
         try {
-            Optional<Provenance> found = Provenance.ofFile(file, part.firstRow(), part.rows());
+            Optional<Provenance> found = PictureNotes.of(file, part.firstRow(), part.rows());
             if (found.filter(made::isOfSamePicture).isPresent()) {
                 return true;
             }

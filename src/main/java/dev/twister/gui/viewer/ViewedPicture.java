@@ -9,7 +9,7 @@ import dev.twister.denoise.Plane;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
 import dev.twister.image.ExrReader.ExrExtent;
-import dev.twister.image.Provenance;
+import dev.twister.image.PictureNotes;
 import dev.twister.render.DenoisedPicture;
 import dev.twister.render.FileDisplay;
 import dev.twister.render.PictureFormat;
@@ -70,7 +70,7 @@ public record ViewedPicture(
                     image.radiance(),
                     FileDisplay.settings(
                             PictureFormat.of(file).equals(Optional.of(PictureFormat.HDR))
-                                    ? Provenance.ofFile(file, 0, image.height())
+                                    ? PictureNotes.of(file, 0, image.height())
                                     : Optional.empty()),
                     List.of(),
                     Optional.empty(),
