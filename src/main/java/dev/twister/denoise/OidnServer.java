@@ -51,7 +51,8 @@ final class OidnServer {
     public static void main(String[] arguments) throws IOException {
         ProcessHandle.current()
                 .parent()
-                .ifPresent(parent -> parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
+                .ifPresent(parent ->
+                        parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
         try (FloatChannel channel = new FloatChannel(SocketChannel.open(UnixDomainSocketAddress.of(arguments[1])))) {
             serve(arguments[0], channel);
         } catch (EOFException _) {

@@ -34,8 +34,7 @@ public final class ExposureMeter {
         int width = (int) Math.max(1, Math.round(input.width() * scale));
         int height = (int) Math.max(1, Math.round(input.height() * scale));
         try (Engine engine = JvmEngines.parallel().opener().get()) {
-            return AutoExposure.stops(
-                    drawing.radiance(engine, input.withSize(width, height), SAMPLES), input.srgb());
+            return AutoExposure.stops(drawing.radiance(engine, input.withSize(width, height), SAMPLES), input.srgb());
         }
     }
 }

@@ -41,7 +41,9 @@ final class Cutout {
         return new BandedDrawing.Drawn(whole, new float[0], 0);
     }
 
-    /** The mean linear radiance of the samples of each pixel that meet a body, three floats a pixel; 0 where none does. */
+    /**
+     * The mean linear radiance of the samples of each pixel that meet a body, three floats a pixel; 0 where none does.
+     */
     static float[] radiance(Engine engine, FrameInput input, int samples) {
         Cutout cutout = new Cutout(input.width() * input.rows());
         FrameTimes _ = cutout.gather(engine, input, samples, RenderProgress.SILENT);
