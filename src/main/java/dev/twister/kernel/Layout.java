@@ -267,7 +267,8 @@ public final class Layout {
     /**
      * After the maps' table, from {@link #EMITTER_TABLE} on, the emitters of path tracing, each with the sum of the
      * probabilities up to and including its own, its probability, its body ({@link #NOTHING} for the sky), for a
-     * triangle its instance, its number (else -1) and its area in square meters, and the number of its leaf in the tree.
+     * triangle its instance, its number (else -1) and its area in square meters, and the number of its leaf in the
+     * tree.
      */
     public static final int EMITTER_END = 0;
 

@@ -81,8 +81,7 @@ class LightTreeTest {
         double[] squares = new double[sums.length];
         double mean = 0;
         for (int run = 0; run < RUNS; run++) {
-            float[] radiance =
-                    Pictures.radiance(JvmEngines.PARALLEL, input.withSamples(run * SAMPLES, SAMPLES));
+            float[] radiance = Pictures.radiance(JvmEngines.PARALLEL, input.withSamples(run * SAMPLES, SAMPLES));
             for (int i = 0; i < radiance.length; i++) {
                 means[run] += radiance[i] / (double) radiance.length;
                 sums[i] += radiance[i];
@@ -115,7 +114,9 @@ class LightTreeTest {
         double side = Math.sqrt(lamps);
         for (int i = 0; i < lamps; i++) {
             Vector3 place = new Vector3(
-                    side * (random.nextDouble() - 0.5), 0.5 + 0.5 * random.nextDouble(), side * (random.nextDouble() - 0.5));
+                    side * (random.nextDouble() - 0.5),
+                    0.5 + 0.5 * random.nextDouble(),
+                    side * (random.nextDouble() - 0.5));
             if (i % 2 == 0) {
                 lights.add(Light.of(place, 0.02, new Rgb(1, 1, 0.5)).withStrength(0.1));
             } else {
@@ -123,7 +124,8 @@ class LightTreeTest {
             }
         }
         Scene scene = Scene.under(Path.of("none.hdr"));
-        Rendering settings = scene.rendering().withSize(16, 12).withBounces(2).withClamp(0).withIntegrator(Integrator.PATH);
+        Rendering settings =
+                scene.rendering().withSize(16, 12).withBounces(2).withClamp(0).withIntegrator(Integrator.PATH);
         return new LitScene(
                 scene.withRendering(settings)
                         .withLights(new Lights(lights))

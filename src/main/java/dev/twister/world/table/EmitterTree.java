@@ -136,8 +136,8 @@ final class EmitterTree {
     private void sort(int[] order, int start, int end, int axis) {
         int[] sorted = Arrays.stream(order, start, end)
                 .boxed()
-                .sorted((one, other) ->
-                        Double.compare(parts.get(one).center()[axis], parts.get(other).center()[axis]))
+                .sorted((one, other) -> Double.compare(
+                        parts.get(one).center()[axis], parts.get(other).center()[axis]))
                 .mapToInt(part -> part)
                 .toArray();
         System.arraycopy(sorted, 0, order, start, sorted.length);

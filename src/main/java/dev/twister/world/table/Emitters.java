@@ -62,7 +62,8 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
         int table = looks.length;
         int count = emitters.size() + (shines ? 1 : 0);
         looks = Arrays.copyOf(looks, table + Layout.EMITTER_STRIDE * count);
-        double power = emitters.stream().mapToDouble(emitter -> emitter.part().power()).sum();
+        double power =
+                emitters.stream().mapToDouble(emitter -> emitter.part().power()).sum();
         double part = shines ? 1 - SKY_PART : 1;
         double sum = 0;
         int at = table;
@@ -73,7 +74,12 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
             at += Layout.EMITTER_STRIDE;
         }
         if (shines) {
-            write(looks, at, new Emitter(Layout.NOTHING, -1, -1, 0, new EmitterTree.Part(TO_ALL, 0, 0, TO_ALL)), 1, 1 - sum);
+            write(
+                    looks,
+                    at,
+                    new Emitter(Layout.NOTHING, -1, -1, 0, new EmitterTree.Part(TO_ALL, 0, 0, TO_ALL)),
+                    1,
+                    1 - sum);
         } else if (count > 0) {
             looks[at - Layout.EMITTER_STRIDE + Layout.EMITTER_END] = 1;
         }
@@ -125,11 +131,7 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
                 looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER] = 1 + emitters.size();
                 double[] center = {bodies.center(body, 0), bodies.center(body, 1), bodies.center(body, 2)};
                 emitters.add(new Emitter(
-                        body,
-                        -1,
-                        -1,
-                        area,
-                        new EmitterTree.Part(center, bodies.size(body), radiance * area, TO_ALL)));
+                        body, -1, -1, area, new EmitterTree.Part(center, bodies.size(body), radiance * area, TO_ALL)));
             }
         }
     }
@@ -158,8 +160,7 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
         }
     }
 
-    private static EmitterTree.Part part(
-            double[][] corners, double[] normal, double length, double power, int sides) {
+    private static EmitterTree.Part part(double[][] corners, double[] normal, double length, double power, int sides) {
         double[] center = new double[3];
         double[] axis = new double[3];
         for (int i = 0; i < 3; i++) {
