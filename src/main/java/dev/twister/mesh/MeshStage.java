@@ -66,9 +66,9 @@ public final class MeshStage {
         Vector3 half = bounds.half();
         double largest = 2 * Math.max(half.x(), Math.max(half.y(), half.z()));
         double scale = LARGEST_SIDE / largest;
-        if (!(scale >= SceneLimits.SCALE.min() && scale <= SceneLimits.SCALE.max())) {
+        if (!(scale >= SceneLimits.FACTOR.min() && scale <= SceneLimits.FACTOR.max())) {
             throw new MeshException(QuotedText.path(file) + ": the mesh is " + (float) largest + " m wide; expected "
-                    + LARGEST_SIDE / SceneLimits.SCALE.max() + " to " + LARGEST_SIDE / SceneLimits.SCALE.min()
+                    + LARGEST_SIDE / SceneLimits.FACTOR.max() + " to " + LARGEST_SIDE / SceneLimits.FACTOR.min()
                     + " m; scale it in a scene file or in the program that made it");
         }
         Vector3 center = bounds.center();

@@ -4,6 +4,7 @@ import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.light.Lights;
+import dev.twister.scene.property.LightProperties;
 import dev.twister.scene.property.SceneLimits;
 import java.util.ArrayList;
 import java.util.List;
@@ -47,9 +48,10 @@ final class StageLights {
         List<Light> used = new ArrayList<>();
         for (Placed one : placed) {
             Light light = one.light();
-            Light dim = light.withShare(SceneLimits.LIGHT_SHARE.clamp(dimmed * light.share()));
+            Light dim = light.withShare(LightProperties.SHARE.range().clamp(dimmed * light.share()));
             used.add(light.strength()
-                    .map(strength -> dim.withStrength(SceneLimits.LIGHT_STRENGTH.clamp(dimmed * strength)))
+                    .map(strength ->
+                            dim.withStrength(LightProperties.STRENGTH.range().clamp(dimmed * strength)))
                     .orElse(dim));
         }
         return new Lights(used);

@@ -6,6 +6,7 @@ import dev.twister.scene.material.Alpha;
 import dev.twister.scene.material.Attenuation;
 import dev.twister.scene.material.Emission;
 import dev.twister.scene.material.Maps;
+import dev.twister.scene.property.Copied;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.Optional;
@@ -27,6 +28,7 @@ import java.util.Set;
  * @param maps images that vary its properties
  * @param unlit whether it shows its color as it is, without light
  */
+@Copied
 public record Material(
         Rgb color,
         double reflectivity,
@@ -39,7 +41,8 @@ public record Material(
         Attenuation attenuation,
         Alpha alpha,
         Maps maps,
-        boolean unlit) {
+        boolean unlit)
+        implements MaterialCopy.With {
     /** Matte and white, with the index of glass; has the values of the fields that a file leaves out. */
     public static final Material DEFAULT = new Material(
             new Rgb(1, 1, 1),
@@ -64,102 +67,6 @@ public record Material(
         requireNonNull(maps, "maps");
     }
 
-    public Material withColor(Rgb newColor) {
-        return new Material(
-                newColor,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withReflectivity(double newReflectivity) {
-        return new Material(
-                color,
-                newReflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withRoughness(double newRoughness) {
-        return new Material(
-                color,
-                reflectivity,
-                newRoughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withMetallic(double newMetallic) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                newMetallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withTransmission(double newTransmission) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                newTransmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withIor(double newIor) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                newIor,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
     public Material withTexture(Path newTexture) {
         return textured(Optional.of(newTexture));
     }
@@ -182,86 +89,6 @@ public record Material(
                 alpha,
                 maps,
                 unlit);
-    }
-
-    public Material withEmission(Emission newEmission) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                newEmission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withAttenuation(Attenuation newAttenuation) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                newAttenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withAlpha(Alpha newAlpha) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                newAlpha,
-                maps,
-                unlit);
-    }
-
-    public Material withMaps(Maps newMaps) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                newMaps,
-                unlit);
-    }
-
-    public Material withUnlit(boolean newUnlit) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                newUnlit);
     }
 
     /** The files of its texture and its maps. */

@@ -151,7 +151,7 @@ final class SpoiltScenes {
                     true,
                     "\"radius\": 1.5, ",
                     "",
-                    "16:5: $.spheres[1].radius is missing; required here: position, radius, color, reflectivity"),
+                    "16:5: $.spheres[1].radius is missing; required here: position, radius"),
             new Spoilt(
                     "missing part",
                     true,
