@@ -195,7 +195,7 @@ public final class Emitter {
 
     /** 1 if both sides of the body's triangles emit, else 0. */
     private static int isTwoSided(int body, float[] looks) {
-        return looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER] >= 0f ? 1 : 0;
+        return looks[Layout.LOOK_STRIDE * body + Layout.LOOK_ONE_SIDED] > 0f ? 0 : 1;
     }
 
     private static void towardSky(float[] path, float first, float second, float[] frame, float[] images) {
@@ -225,7 +225,7 @@ public final class Emitter {
      */
     public static float density(float[] path, int body, float[] frame, float[] bodies, float[] looks, int variant) {
         int look = Layout.LOOK_STRIDE * body;
-        int entry = (int) Math.abs(looks[look + Layout.LOOK_EMITTER]);
+        int entry = (int) looks[look + Layout.LOOK_EMITTER];
         int emitter = (int) frame[Layout.EMITTER_TABLE] + Layout.EMITTER_STRIDE * (entry - 1);
         float density = 0f;
         if (entry > 0) {

@@ -175,28 +175,28 @@ public final class Layout {
     /** Number of the body's row in the maps' table, from 1 on; 0 for none. */
     public static final int LOOK_MAPS = 7;
 
-    /**
-     * How much of a metal the body is, in [0, 1]; {@code -1 - metallic} if in path tracing Fresnel's equations decide
-     * what it reflects.
-     */
+    /** How much of a metal the body is, in [0, 1]. */
     public static final int LOOK_METALLIC = 8;
 
-    /** Emitted radiance, three floats; the light has one in path tracing alone. */
-    public static final int LOOK_EMISSION = 9;
+    /** 1 if in path tracing Fresnel's equations decide what the body reflects, else 0. */
+    public static final int LOOK_FRESNEL = 9;
 
-    /**
-     * Number of the body's first emitter, from 1 on, negative if only the outer sides of triangles emit; 0 or -1
-     * without one.
-     */
-    public static final int LOOK_EMITTER = 12;
+    /** Emitted radiance, three floats; a light has one in path tracing alone. */
+    public static final int LOOK_EMISSION = 10;
+
+    /** Number of the body's first emitter, from 1 on; 0 without one. */
+    public static final int LOOK_EMITTER = 13;
+
+    /** 1 if only the outer sides of the body's triangles emit, else 0. */
+    public static final int LOOK_ONE_SIDED = 14;
 
     /** Absorption inside a transmitting body, per meter and channel. */
-    public static final int LOOK_ABSORPTION = 13;
+    public static final int LOOK_ABSORPTION = 15;
 
-    /** A light's factor of what it adds to the brightness of matte surfaces; lights have no inside. */
-    public static final int LOOK_SHARE = 13;
+    /** A light's factor of what it adds to the brightness of matte surfaces; 0 for other bodies. */
+    public static final int LOOK_SHARE = 18;
 
-    public static final int LOOK_STRIDE = 16;
+    public static final int LOOK_STRIDE = 24;
 
     /**
      * After the bodies' looks, from {@link #MAPS} on, a table of the materials with maps. A row has first the maps. A

@@ -32,9 +32,8 @@ public final class SurfaceLook {
             path[Layout.ROUGHNESS] = looks[look + Layout.LOOK_ROUGHNESS];
             path[Layout.TRANSMISSION] = looks[look + Layout.LOOK_TRANSMISSION];
             path[Layout.IOR] = looks[look + Layout.LOOK_IOR];
-            float metallic = looks[look + Layout.LOOK_METALLIC];
-            path[Layout.IS_FRESNEL] = metallic < 0f ? 1f : 0f;
-            path[Layout.METALLIC] = metallic < 0f ? -1f - metallic : metallic;
+            path[Layout.METALLIC] = looks[look + Layout.LOOK_METALLIC];
+            path[Layout.IS_FRESNEL] = looks[look + Layout.LOOK_FRESNEL];
             if ((variant & Variant.MAPS) == 0) {
                 multiplyByTexture(path, body, frame, looks, images, variant);
             }

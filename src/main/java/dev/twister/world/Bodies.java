@@ -50,7 +50,6 @@ public record Bodies(
         for (int body = Layout.FIRST_SPHERE; body < end && !plain() && !absorb; body++) {
             int look = Layout.LOOK_STRIDE * body;
             int absorption = look + Layout.LOOK_ABSORPTION;
-            // Of lights, the same floats are something else.
             absorb = looks[look + Layout.LOOK_TRANSMISSION] > 0
                     && looks[absorption] + looks[absorption + 1] + looks[absorption + 2] > 0;
         }

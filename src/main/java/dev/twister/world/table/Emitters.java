@@ -112,9 +112,9 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
             int body = (int) floats[at + Layout.INSTANCE_BODY];
             double radiance = means.of(body);
             if (radiance > 0) {
-                int look = Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER;
-                int sides = looks[look] < 0 ? 1 : 2;
-                looks[look] = (1 + emitters.size()) * (sides == 1 ? -1 : 1);
+                int look = Layout.LOOK_STRIDE * body;
+                int sides = looks[look + Layout.LOOK_ONE_SIDED] > 0 ? 1 : 2;
+                looks[look + Layout.LOOK_EMITTER] = 1 + emitters.size();
                 int triangles = (int) floats[at + Layout.INSTANCE_TRIANGLES];
                 for (int triangle = 0; triangle < triangles; triangle++) {
                     double area = area(floats, at, bodies.meshes(), triangle);

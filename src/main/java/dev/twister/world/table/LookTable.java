@@ -123,7 +123,8 @@ public final class LookTable {
         boolean glossy = fresnel || reflectivity > 0 || transmission > 0;
         looks[look + Layout.LOOK_ROUGHNESS] = glossy ? (float) material.roughness() : 0;
         looks[look + Layout.LOOK_IOR] = fresnel || transmission > 0 ? (float) material.ior() : 0;
-        looks[look + Layout.LOOK_METALLIC] = (float) (fresnel ? -1 - material.metallic() : material.metallic());
+        looks[look + Layout.LOOK_METALLIC] = (float) material.metallic();
+        looks[look + Layout.LOOK_FRESNEL] = fresnel ? 1 : 0;
         putEmission(looks, look, material.emission());
         material.attenuation().distance().ifPresent(distance -> putAbsorption(looks, look, material, distance));
         looks[look + Layout.LOOK_MAPS] = maps;
@@ -132,7 +133,7 @@ public final class LookTable {
     private static void putEmission(float[] looks, int look, Emission emission) {
         if (!emission.isNone()) {
             putColor(looks, look + Layout.LOOK_EMISSION, emission.radiance());
-            looks[look + Layout.LOOK_EMITTER] = emission.doubleSided() ? 0 : -1;
+            looks[look + Layout.LOOK_ONE_SIDED] = emission.doubleSided() ? 0 : 1;
         }
     }
 

@@ -55,7 +55,7 @@ public final class Looks {
             textured |= look(body, Layout.LOOK_MAPS) > 0f;
             rough |= look(body, Layout.LOOK_ROUGHNESS) > 0f;
             transparent |= transmits(body);
-            metallic |= isTinting(look(body, Layout.LOOK_METALLIC));
+            metallic |= look(body, Layout.LOOK_METALLIC) > 0f;
             for (int look = 0; look < COUNT && bodies <= Lanes.COUNT; look++) {
                 columns[Lanes.BORDER + look * Lanes.COUNT + body] = look(body, FIRST + look);
             }
@@ -77,11 +77,6 @@ public final class Looks {
 
     public boolean transmits(int body) {
         return transmission(body) > 0f;
-    }
-
-    /** Whether a metallic part tints, which is that of a body with Fresnel's equations where negative. */
-    private static boolean isTinting(float metallic) {
-        return metallic != 0f && metallic != -1f;
     }
 
     /** Whether secondary rays may be tinted or split, and wait in a tile of branch rays. */

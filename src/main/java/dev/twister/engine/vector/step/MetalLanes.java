@@ -18,8 +18,7 @@ public final class MetalLanes {
         tile.metals.clear();
         for (int k = 0; k < tile.surfaces.count; k++) {
             int at = tile.surfaces.places[k];
-            FloatVector stored = Lanes.load(t, at + Tile.METALLIC);
-            FloatVector metallic = stored.blend(Lanes.all(-1f).sub(stored), stored.compare(VectorOperators.LT, 0f));
+            FloatVector metallic = Lanes.load(t, at + Tile.METALLIC);
             for (int channel = 0; channel < 3; channel++) {
                 int column = at + channel * Tile.SIZE;
                 Lanes.all(1f)
