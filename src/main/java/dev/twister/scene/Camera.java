@@ -30,6 +30,9 @@ public record Camera(
     /** A pinhole at the origin, level, along z, with a field of view of 60 degrees. */
     public static final Camera DEFAULT = new Camera(Vector3.ZERO, 0, 0, 60, 0, 10, List.of());
 
+    /** Of a scene file that says nothing of its camera: looks down at the origin from 8 m before it. */
+    public static final Camera USUAL = of(new Vector3(0, 2, -8), 0, 10, 45);
+
     public Camera {
         requireNonNull(position, "position");
         keyframes = List.copyOf(keyframes);

@@ -39,7 +39,7 @@ public record Scene(
         List<Track> tracks)
         implements SceneCopy.With {
     /** The newest version of the file format; the older ones are read too. */
-    public static final int VERSION = 3;
+    public static final int VERSION = 4;
 
     public Scene {
         materials = Collections.unmodifiableSequencedMap(new LinkedHashMap<>(materials));

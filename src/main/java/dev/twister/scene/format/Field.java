@@ -33,6 +33,8 @@ record Field<R, T>(
         WRITTEN,
         /** Only where its value is not what a file that leaves it out gets. */
         SPARSE,
+        /** As sparse; files of versions that lack the field mean the same without it. */
+        IMPLIED,
         /** One of several, of which a file has exactly one: where its value is not an empty optional. */
         EITHER
     }
@@ -82,6 +84,26 @@ record Field<R, T>(
         return new Field<>(name, presence, version, type, get, with, meaning);
     }
 
+    /** The same field with that meaning. */
+    Field<R, T> meaning(String phrase) {
+        return new Field<>(name, presence, since, type, get, with, phrase);
+    }
+
+    /** The same field, read otherwise. */
+    Field<R, T> with(BiFunction<R, T, R> other) {
+        return new Field<>(name, presence, since, type, get, other, meaning);
+    }
+
+    /** The same field, in every file that is written. */
+    Field<R, T> inEachWritten() {
+        return new Field<>(name, Presence.WRITTEN, since, type, get, with, meaning);
+    }
+
+    /** The same field, of which older versions of the format have the meaning without it. */
+    Field<R, T> impliedBefore(int version) {
+        return new Field<>(name, Presence.IMPLIED, version, type, get, with, meaning);
+    }
+
     /** The same field, which no file leaves out. */
     Field<R, T> inEveryFile() {
         return new Field<>(name, Presence.REQUIRED, since, type, get, with, meaning);
@@ -127,14 +149,14 @@ record Field<R, T>(
     boolean isLeftOut(R record, R defaults) {
         return switch (presence) {
             case REQUIRED, WRITTEN -> false;
-            case SPARSE -> get.apply(record).equals(get.apply(defaults));
+            case SPARSE, IMPLIED -> get.apply(record).equals(get.apply(defaults));
             case EITHER -> get.apply(record).equals(Optional.empty());
         };
     }
 
     /** The version of the format that the field's value needs. */
     int version(R record) {
-        return Math.max(since, type.version(get.apply(record)));
+        return Math.max(presence == Presence.IMPLIED ? 1 : since, type.version(get.apply(record)));
     }
 
     String write(R record) {

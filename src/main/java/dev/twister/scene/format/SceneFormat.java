@@ -37,6 +37,7 @@ import dev.twister.scene.format.ValueType.WholeNumber;
 import dev.twister.scene.generate.Palette;
 import dev.twister.scene.generate.Pour;
 import dev.twister.scene.light.Lights;
+import dev.twister.scene.material.Reflectance;
 import dev.twister.scene.property.BodyProperties;
 import dev.twister.scene.property.CameraProperties;
 import dev.twister.scene.property.LightProperties;
@@ -47,12 +48,12 @@ import dev.twister.scene.property.SceneLimits;
 import dev.twister.scene.property.SceneProperties;
 import dev.twister.scene.select.Tag;
 import dev.twister.scene.select.Title;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.SequencedMap;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /**
  * The fields of a scene file of some version: the one list that reader and writer go by, and that the schema is held
@@ -220,12 +221,12 @@ final class SceneFormat {
         this.version = version;
         named = NamedMaterials.of(materials);
         file = new FilePath(new Text(1, SceneLimits.MAX_PATH_LENGTH), files);
-        material = Field.of(MaterialProperties.ALL, files);
-        uncolored = Field.of(MaterialProperties.UNCOLORED, files);
+        material = materialFields(version, files);
+        uncolored = material.subList(1, material.size());
     }
 
     Structure<Camera> camera() {
-        return structure(Camera.DEFAULT, List.of(fields(CameraProperties.ALL), List.of(KEYFRAMES)));
+        return structure(Camera.USUAL, List.of(fields(CameraProperties.ALL), List.of(KEYFRAMES)));
     }
 
     Structure<CameraView> view() {
@@ -334,6 +335,28 @@ final class SceneFormat {
                 Pour.DEFAULT, List.of(POUR, within(uncolored, Pour::material, Pour::withMaterial), List.of(POUR_SEED)));
     }
 
+    @SuppressWarnings("unchecked") // the metallic part is a number
+    private static List<Field<Material, ?>> materialFields(int version, NamedFiles files) {
+        boolean tints = version < ReflectivityType.METALS_SINCE;
+        Field<Material, Boolean> tinted = sparse(
+                        "tinted",
+                        FLAG,
+                        (Material material) -> material.reflectance() == Reflectance.TINTED,
+                        (material, tint) -> tint && material.reflectivity() > 0 && material.metallic() > 0
+                                ? material.withReflectance(Reflectance.TINTED)
+                                : material)
+                .impliedBefore(ReflectivityType.METALS_SINCE)
+                .meaning(
+                        "whether `metallic` only tints what `reflectivity` mirrors, as in files of version 3 and older");
+        Stream<Field<Material, ?>> fields = Field.of(MaterialProperties.ALL, files).stream()
+                .map(field -> switch (field.name()) {
+                    case "reflectivity" -> ReflectivityType.field(version);
+                    case "metallic" -> tints ? ReflectivityType.tint((Field<Material, Double>) field) : field;
+                    default -> field;
+                });
+        return Stream.concat(fields, Stream.of(tinted)).toList();
+    }
+
     private static <R> List<Field<R, ?>> tags(Function<R, Tag> tag, BiFunction<R, Tag, R> withTag) {
         return within(TAG, tag, withTag);
     }
@@ -371,7 +394,7 @@ final class SceneFormat {
     }
 
     private Field<Lights, Optional<Light>> light() {
-        Field<Lights, Optional<Light>> field = required(
+        Field<Lights, Optional<Light>> field = written(
                 LightRules.ONE,
                 ValueType.present(oneLight()),
                 lights -> Optional.of(lights.first()).filter(_ -> lights.count() == 1),
@@ -394,7 +417,7 @@ final class SceneFormat {
     Structure<Scene> scene() {
         return Structure.of(
                 version,
-                Scene.under(Path.of("")),
+                Scene.under(Sky.PLAIN).withCamera(Camera.USUAL),
                 List.of(
                         // For editors.
                         sparse(SchemaReference.FIELD, REFERENCE, _ -> "", (scene, _) -> scene),
@@ -407,7 +430,7 @@ final class SceneFormat {
                                         Title::description,
                                         Title::withDescription)
                                 .within(Scene::title, Scene::withTitle),
-                        required("camera", camera(), Scene::camera, Scene::withCamera),
+                        written("camera", camera(), Scene::camera, Scene::withCamera),
                         sparse(
                                         ViewRules.FIELD,
                                         new Lines<>(new Array<>(
@@ -422,8 +445,8 @@ final class SceneFormat {
                         lights().within(Scene::lights, Scene::withLights),
                         sparse(MATERIALS, materials(), Scene::materials, Scene::withMaterials)
                                 .from(MATERIALS_SINCE),
-                        required("plane", plane(), Scene::ground, Scene::withGround),
-                        required(SKYBOX, file, Sky::file, Sky::withFile).within(Scene::sky, Scene::withSky),
+                        written("plane", plane(), Scene::ground, Scene::withGround),
+                        sparse(SKYBOX, file, Sky::file, Sky::withFile).within(Scene::sky, Scene::withSky),
                         Field.of(SceneProperties.SKY_ROTATION, NamedFiles.UNRESOLVED)
                                 .named("skyRotation")
                                 .within(Scene::sky, Scene::withSky),
@@ -446,7 +469,7 @@ final class SceneFormat {
                                 Scene::physics,
                                 Scene::withPhysics),
                         optional("pour", pour(), Scene::pour, Scene::withPour),
-                        required(
+                        written(
                                 "spheres",
                                 new Lines<>(new Array<>(
                                         sphere(),

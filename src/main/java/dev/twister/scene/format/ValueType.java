@@ -33,6 +33,7 @@ sealed interface ValueType<T>
                 NamedMaterials,
                 NumberOrVector,
                 ObjectType,
+                ReflectivityType,
                 TrackTargetType,
                 ValueType.Array,
                 ValueType.Choice,
@@ -299,21 +300,26 @@ sealed interface ValueType<T>
         @Override
         public R read(Place place, List<String> alternatives) {
             Fields found = place.fields();
+            Problems problems = new Problems();
             for (Field<R, ?> field : newer) {
-                found.find(field.name()).ifPresent(value -> {
-                    throw value.failure("needs \"version\": " + field.since() + " at the top of the file");
-                });
+                found.find(field.name())
+                        .ifPresent(value -> problems.add(
+                                value.failure("needs \"version\": " + field.since() + " at the top of the file")));
             }
-            found.check(
-                    names(true),
-                    Stream.concat(names(false).stream(), alternatives.stream()).toList());
+            problems.refuse();
+            List<String> known =
+                    Stream.of(names(false), alternatives).flatMap(List::stream).toList();
+            found.check(names(true), known, problems);
             R record = defaults;
             for (Field<R, ?> field : fields) {
                 Optional<Place> value = found.find(field.name());
-                if (value.isPresent()) {
-                    record = field.read(record, value.get());
+                if (value.isPresent() && !problems.isFull()) {
+                    R before = record;
+                    record =
+                            problems.read(() -> field.read(before, value.get())).orElse(before);
                 }
             }
+            problems.refuse();
             return record;
         }
 

@@ -59,7 +59,7 @@ class FormatTablesTest {
 
     private static Map<String, String> tables() {
         Map<String, String> tables = new LinkedHashMap<>();
-        tables.put("camera", table(Camera.DEFAULT, CameraProperties.ALL));
+        tables.put("camera", table(Camera.USUAL, CameraProperties.ALL));
         tables.put("light", table(Light.DEFAULT, LightProperties.ALL));
         tables.put("material", table(Material.DEFAULT, MaterialProperties.ALL));
         tables.put("sphere", table(Sphere.DEFAULT, BodyProperties.SPHERE));

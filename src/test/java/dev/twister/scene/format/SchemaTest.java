@@ -3,6 +3,7 @@ package dev.twister.scene.format;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Scene;
+import dev.twister.scene.property.MaterialProperties;
 import dev.twister.scene.property.Range;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -145,6 +146,7 @@ class SchemaTest {
         return switch (type) {
             case ValueType.Decimal(Range range) -> numbers("number", range);
             case ValueType.WholeNumber(Range range) -> numbers("integer", range);
+            case ReflectivityType _ -> numbers("number", MaterialProperties.REFLECTIVITY.range());
             case ValueType.Flag() -> schema(Map.of("type", "boolean"));
             case ValueType.Text(int min, int max) ->
                 withLeast(
@@ -196,12 +198,12 @@ class SchemaTest {
         }
         Map<String, Object> object =
                 schema(Map.of("type", "object", "properties", properties, "additionalProperties", false));
-        List<Map<String, Object>> either = structure.fields().stream()
+        List<String> either = structure.fields().stream()
                 .filter(field -> field.presence() == Field.Presence.EITHER)
-                .map(field -> schema(Map.of("required", List.of(field.name()))))
+                .map(Field::name)
                 .toList();
         if (!either.isEmpty()) {
-            object.put("oneOf", either);
+            object.put("not", schema(Map.of("required", either)));
         }
         if (!structure.names(true).isEmpty()) {
             object.put("required", structure.names(true));

@@ -114,20 +114,16 @@ final class SpoiltScenes {
                     "wrong version",
                     true,
                     "\"version\": 1",
-                    "\"version\": 4",
-                    "3:14: $.version is 4, but must be 1, 2 or 3, the versions of the format that this program reads"),
+                    "\"version\": 5",
+                    "3:14: $.version is 5, but must be 1, 2, 3 or 4, the versions of the format that this program reads"),
             new Spoilt(
                     "version as text",
                     true,
                     "\"version\": 1",
                     "\"version\": \"1\"",
-                    "3:14: $.version is \"1\", but must be 1, 2 or 3, the versions of the format that this program reads"),
+                    "3:14: $.version is \"1\", but must be 1, 2, 3 or 4, the versions of the format that this program reads"),
             new Spoilt(
-                    "no version",
-                    true,
-                    "  \"version\": 1,\n",
-                    "",
-                    "1:1: $.version is missing; required here: version, camera, plane, skybox, spheres"),
+                    "no version", true, "  \"version\": 1,\n", "", "1:1: $.version is missing; required here: version"),
             new Spoilt(
                     "unknown field",
                     true,
@@ -155,9 +151,9 @@ final class SpoiltScenes {
             new Spoilt(
                     "missing part",
                     true,
-                    "  \"skybox\": \"sky.hdr\",\n",
+                    ", \"seed\": 9",
                     "",
-                    "1:1: $.skybox is missing; required here: version, camera, light, plane, skybox, spheres"),
+                    "13:11: $.pour.seed is missing; required here: count, rate, position, width, speed, radius, palette, seed"),
             new Spoilt(
                     "text for a number",
                     true,
