@@ -20,7 +20,7 @@ final class Root {
     private static final int UNIT = 200;
 
     /** Largest weight of an {@code if} that becomes choices. */
-    private static final int FLAT = 16;
+    private static final int FLAT = 40;
 
     /** The class's Java. */
     final String text;
@@ -67,6 +67,7 @@ final class Root {
             run(sources, builder, method, arguments, pathLength);
             return active;
         });
+        Unused.removeFrom(builder.block);
         state = PathState.of(builder.block, active);
         Plan plan = new Plan(builder.block, UNIT);
         Lifetimes lifetimes = new Lifetimes(plan, builder.variables, pinned);

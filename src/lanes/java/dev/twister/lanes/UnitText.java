@@ -11,7 +11,9 @@ import dev.twister.lanes.Statement.PathStore;
 import dev.twister.lanes.Statement.ScratchStore;
 import dev.twister.lanes.Statement.UniformIf;
 import dev.twister.lanes.Statement.UniformLoop;
+import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -40,13 +42,14 @@ final class UnitText {
 
     private final Set<Variable> changed = new LinkedHashSet<>();
 
+    /** How many statements read a variable. */
+    private final Map<Variable, Integer> uses = new HashMap<>();
+
     UnitText(Plan.Unit unit, Lifetimes lifetimes) {
         this.unit = unit;
         unit.statements().forEach(this::findDefined);
-        unit.statements().forEach(statement -> {
-            declareFor(statement);
-            write(statement);
-        });
+        unit.statements().forEach(statement -> countUses(statement, uses));
+        write(unit.statements());
         for (Variable variable : changed) {
             if (lifetimes.livesAfter(variable, unit)) {
                 store(variable);
@@ -141,12 +144,26 @@ final class UnitText {
         if (!(statement instanceof Operation operation && isGather(operation))) {
             statement.forEachRead(this::declare);
         }
-        statement
-                .blocks()
-                .forEach(block -> block.list().forEach(inner -> {
-                    declareFor(inner);
-                    inner.forEachSet(this::declare);
-                }));
+        statement.blocks().forEach(block -> declareFor(block, Plan.isLoop(statement)));
+    }
+
+    /** As above; what a block that runs once has to itself is declared inside. */
+    private void declareFor(Block block, boolean isRepeated) {
+        Map<Variable, Integer> inside = new LinkedHashMap<>();
+        block.list().forEach(statement -> countUses(statement, inside));
+        inside.forEach((variable, count) -> {
+            if (isRepeated || variable.isMutable || count < uses.get(variable)) {
+                declare(variable);
+            }
+        });
+    }
+
+    private static void countUses(Statement statement, Map<Variable, Integer> counts) {
+        if (!(statement instanceof Operation operation && isGather(operation))) {
+            statement.forEachRead(variable -> counts.merge(variable, 1, Integer::sum));
+        }
+        statement.forEachSet(variable -> counts.merge(variable, 1, Integer::sum));
+        statement.blocks().forEach(block -> block.list().forEach(inner -> countUses(inner, counts)));
     }
 
     /** Whether its places are read from their column. */
@@ -191,8 +208,15 @@ final class UnitText {
     private void write(Block block) {
         Set<Variable> outer = known;
         known = new HashSet<>(known);
-        block.list().forEach(this::write);
+        write(block.list());
         known = outer;
+    }
+
+    private void write(List<Statement> statements) {
+        for (Statement statement : statements) {
+            declareFor(statement);
+            write(statement);
+        }
     }
 
     private void write(Statement statement) {
@@ -258,9 +282,9 @@ final class UnitText {
         Set<Variable> outer = known;
         known = new HashSet<>(known);
         body.block("while (true)", () -> {
-            loop.condition().list().forEach(this::write);
+            write(loop.condition().list());
             body.block("if (!" + loop.mask() + ".anyTrue())", () -> body.add("break;"));
-            loop.body().list().forEach(this::write);
+            write(loop.body().list());
         });
         known = outer;
     }

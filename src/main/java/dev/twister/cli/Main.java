@@ -8,15 +8,24 @@ import dev.twister.cli.file.CommonOptions;
 import dev.twister.cli.file.ExitCode;
 import dev.twister.cli.file.PathConverter;
 import dev.twister.cli.option.ChoiceConverter;
+import dev.twister.files.PrintableText;
+import dev.twister.files.TwisterVersion;
 import dev.twister.mesh.MeshPose;
 import dev.twister.render.Background;
 import dev.twister.scene.Integrator;
 import dev.twister.scene.ToneMap;
 import dev.twister.sky.ShippedSky;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryType;
 import java.nio.charset.Charset;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import picocli.CommandLine;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.RunLast;
@@ -90,5 +99,69 @@ public final class Main {
 
     private static PrintWriter printable(PrintWriter writer) {
         return new PrintWriter(new PrintableWriter(writer), true);
+    }
+
+    /**
+     * Everything that commands print goes through this, so that no text of a user's controls the terminal that shows
+     * it.
+     */
+    static final class PrintableWriter extends Writer {
+        /** Lines, tables and the bar of progress are made of them. */
+        private static final Pattern BETWEEN = Pattern.compile("[^\n\r\t]+");
+
+        private final Writer out;
+
+        PrintableWriter(Writer out) {
+            this.out = out;
+        }
+
+        @Override
+        public void write(char[] characters, int offset, int length) throws IOException {
+            String text = new String(characters, offset, length);
+            out.write(BETWEEN.matcher(text)
+                    .replaceAll(part -> Matcher.quoteReplacement(PrintableText.line(part.group()))));
+        }
+
+        @Override
+        public void flush() throws IOException {
+            out.flush();
+        }
+
+        @Override
+        public void close() throws IOException {
+            out.close();
+        }
+    }
+
+    /** What {@code --verbose} prints after a command that begins now: version, time and memory. */
+    private static final class RunFigures {
+        private static final double MILLIS_PER_SECOND = 1000;
+        private static final double BYTES_PER_MEBIBYTE = 1 << 20;
+
+        private final long start = System.nanoTime();
+
+        void print(PrintWriter err) {
+            ProcessHandle.Info process = ProcessHandle.current().info();
+            double processorSeconds =
+                    process.totalCpuDuration().orElse(Duration.ZERO).toMillis() / MILLIS_PER_SECOND;
+            err.printf(
+                    Locale.ROOT,
+                    "twister %s on Java %s (%s): %.1f s, %.1f s of processor time with the start, heap up to %.0f MiB%n",
+                    TwisterVersion.text(),
+                    Runtime.version(),
+                    System.getProperty("java.vm.name"),
+                    Duration.ofNanos(System.nanoTime() - start).toMillis() / MILLIS_PER_SECOND,
+                    processorSeconds,
+                    heapBytes() / BYTES_PER_MEBIBYTE);
+        }
+
+        /** The sum of the most that each part of the heap held. */
+        private static long heapBytes() {
+            return ManagementFactory.getMemoryPoolMXBeans().stream()
+                    .filter(pool -> pool.getType() == MemoryType.HEAP)
+                    .map(pool -> pool.getPeakUsage())
+                    .mapToLong(usage -> usage.getUsed())
+                    .sum();
+        }
     }
 }

@@ -12,15 +12,10 @@ record Bands(int width, int height, int rows) {
     /** Rows beyond a kept one that the network sees, rounded up to its alignment. */
     static final int OVERLAP = 128;
 
-    /** Limit of the pixels of a band with its overlap. */
-    private static final long MOST_PIXELS = 1 << 24;
+    /** Limit of the pixels of a band with its overlap, so that its memory is bounded. */
+    static final long MOST_PIXELS = 1 << 24;
 
-    /** The bands of a picture. */
-    static Bands of(int width, int height) {
-        return of(width, height, MOST_PIXELS);
-    }
-
-    /** As above, with another limit of pixels. */
+    /** The bands of a picture with at most about so many pixels each. */
     static Bands of(int width, int height, long mostPixels) {
         long whole = Math.max(1, mostPixels / width);
         return new Bands(width, height, (int) (whole >= height ? height : Math.max(OVERLAP, whole - 2 * OVERLAP)));
@@ -49,10 +44,5 @@ record Bands(int width, int height, int rows) {
     /** The row after the last one that is denoised. */
     int bottom(int band) {
         return Math.min(height, end(band) + OVERLAP);
-    }
-
-    /** Rows of the largest band with its overlap. */
-    int mostRows() {
-        return Math.min(height, rows + 2 * OVERLAP);
     }
 }

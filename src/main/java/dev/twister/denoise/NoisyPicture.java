@@ -9,8 +9,9 @@ import java.util.Optional;
  * @param height in pixels
  * @param radiance linear red, green and blue
  * @param guides of the same size; without them edges and textures are blurred
+ * @param noise of the radiance, where it is known
  */
-public record NoisyPicture(int width, int height, Plane radiance, Optional<Guides> guides) {
+public record NoisyPicture(int width, int height, Plane radiance, Optional<Guides> guides, Optional<Noise> noise) {
     private static final int CHANNELS = 3;
 
     /**
@@ -20,6 +21,19 @@ public record NoisyPicture(int width, int height, Plane radiance, Optional<Guide
      * @param normal components in [-1, 1]
      */
     public record Guides(Plane albedo, Plane normal) {}
+
+    /**
+     * What is known of the noise.
+     *
+     * @param difference noise alone, of the same variance as that of the radiance
+     * @param samples per pixel
+     */
+    public record Noise(Plane difference, int samples) {}
+
+    /** A picture whose noise is not known. */
+    public NoisyPicture(int width, int height, Plane radiance, Optional<Guides> guides) {
+        this(width, height, radiance, guides, Optional.empty());
+    }
 
     /** Number of values in a plane. */
     public int values() {

@@ -24,18 +24,19 @@ public final class OidnProvider implements DenoiserProvider {
         List<Path> files = places.files();
         Optional<String> refused = Optional.empty();
         for (Path file : files) {
-            LibraryProbe.Result tried = LibraryProbe.of(file.toString());
-            if (tried.obstacle().isEmpty()) {
-                return working(file.toString(), tried.version());
+            try {
+                return working(file.toString());
+            } catch (DenoiseException problem) {
+                refused = refused.or(() -> Optional.of(file + " " + problem.getMessage()));
             }
-            refused = refused.or(() -> tried.obstacle().map(why -> file + " " + why));
         }
         Optional<String> name =
                 places.names().stream().filter(_ -> places.named().isEmpty()).findFirst();
         if (name.isPresent()) {
-            LibraryProbe.Result tried = LibraryProbe.of(name.get());
-            if (tried.obstacle().isEmpty()) {
-                return working(name.get(), tried.version());
+            try {
+                return working(name.get());
+            } catch (DenoiseException _) {
+                // A name that the loader does not know.
             }
         }
         String found = refused.orElseGet(() -> places.named()
@@ -44,7 +45,18 @@ public final class OidnProvider implements DenoiserProvider {
         return DenoiserOffer.impossible(NAME, found + "; " + ADVICE);
     }
 
-    private static DenoiserOffer working(String place, String version) {
-        return DenoiserOffer.working(NAME + " " + version + ": " + place, () -> LibraryProbe.open(place));
+    /** @throws DenoiseException if the library does not work; the message continues its name */
+    private static DenoiserOffer working(String place) {
+        try (OpenImageDenoise tried = new OpenImageDenoise(place)) {
+            return DenoiserOffer.working(NAME + " " + tried.text() + ": " + place, () -> opened(place));
+        }
+    }
+
+    private static Denoiser opened(String place) {
+        try {
+            return new OpenImageDenoise(place);
+        } catch (DenoiseException problem) {
+            throw new DenoiseException(place + " " + problem.getMessage(), problem);
+        }
     }
 }

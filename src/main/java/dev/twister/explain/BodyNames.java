@@ -38,8 +38,8 @@ public record BodyNames(Scene scene, Path folder, SceneMeshes meshes, FrameInput
                     new BodyName("plane", 1, "", material(scene.ground().material()), "", ""));
         }
         if (input.isLight(body)) {
-            int index = body == Layout.LIGHT ? 0 : 1 + body - input.bodies().room();
-            return shown(scene.lights().list(), Light::tag, index).map(this::light);
+            return shown(scene.lights().list(), Light::tag, input.lightIndex(body))
+                    .map(this::light);
         }
         int firstMesh = input.bodies().firstMesh();
         return firstMesh == Layout.NO_MESHES || body < firstMesh

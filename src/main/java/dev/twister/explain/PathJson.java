@@ -1,6 +1,11 @@
 package dev.twister.explain;
 
-import dev.twister.explain.Scattering.LobeChoice;
+import dev.twister.explain.PathStep.FoundLight;
+import dev.twister.explain.PathStep.LightPart;
+import dev.twister.explain.PathStep.LightSample;
+import dev.twister.explain.PathStep.Scattering;
+import dev.twister.explain.PathStep.Scattering.LobeChoice;
+import dev.twister.explain.PathStep.ShadedSurface;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;

@@ -1,13 +1,20 @@
 package dev.twister.explain;
 
+import dev.twister.explain.PathStep.LightPart;
+import dev.twister.explain.PathStep.LightSample;
+import dev.twister.explain.PathStep.Scattering;
+import dev.twister.explain.PathStep.ShadedSurface;
 import dev.twister.kernel.Layout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** A pixel's path for a person: a table of its steps, and what each surface is. */
 public final class PathText {
@@ -43,7 +50,7 @@ public final class PathText {
                 .append(" along ")
                 .append(TextTable.vector(view.direction()))
                 .append("\n\n");
-        text.append(TextTable.of(rows, TEXTS)).append('\n').append(NamesText.of(path, names));
+        text.append(TextTable.of(rows, TEXTS)).append('\n').append(names(path, names));
         for (int step = 0; step < steps.size(); step++) {
             int number = step;
             steps.get(step).shading().ifPresent(shading -> text.append(surface(path, number, shading)));
@@ -143,5 +150,29 @@ public final class PathText {
 
     private static String cell(Optional<Double> value) {
         return value.map(number -> TextTable.number("%.4f", number)).orElse("-");
+    }
+
+    /** A line for each body that rays meet or are stopped by, and an empty line; empty where all miss. */
+    static String names(PixelPath path, BodyNames names) {
+        SortedSet<Integer> bodies =
+                path.steps().stream().flatMap(PathText::bodies).collect(Collectors.toCollection(TreeSet::new));
+        String lines = bodies.stream()
+                .flatMap(body -> names.find(body).map(name -> nameLine(path.bodyName(body), name.text())).stream())
+                .collect(Collectors.joining());
+        return lines.isEmpty() ? "" : lines + "\n";
+    }
+
+    private static String nameLine(String body, String name) {
+        return body.equals(name) ? "" : body + ": " + name + "\n";
+    }
+
+    private static Stream<Integer> bodies(PathStep step) {
+        Stream<Integer> blockers = step.shading().stream()
+                .flatMap(shading -> shading.lights().stream())
+                .flatMap(light -> light.shadowRays().stream())
+                .map(LightSample::blocker);
+        Stream<Integer> emitter =
+                step.scattering().flatMap(Scattering::emitter).stream().map(Scattering.EmitterChoice::body);
+        return Stream.of(Stream.of(step.body()), blockers, emitter).flatMap(stream -> stream);
     }
 }

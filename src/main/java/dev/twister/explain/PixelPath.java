@@ -1,6 +1,7 @@
 package dev.twister.explain;
 
 import dev.twister.engine.JvmKernel;
+import dev.twister.explain.PathRecorder.Floats;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameStop;
 import dev.twister.kernel.Layout;

@@ -1,7 +1,11 @@
 package dev.twister.explain;
 
-import dev.twister.explain.Scattering.EmitterChoice;
-import dev.twister.explain.Scattering.LobeChoice;
+import dev.twister.explain.PathRecorder.Floats;
+import dev.twister.explain.PathStep.FoundLight;
+import dev.twister.explain.PathStep.RayKind;
+import dev.twister.explain.PathStep.Scattering;
+import dev.twister.explain.PathStep.Scattering.EmitterChoice;
+import dev.twister.explain.PathStep.Scattering.LobeChoice;
 import dev.twister.kernel.Emitter;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
@@ -157,7 +161,7 @@ final class TraceRecorder {
         direct = new FoundLight(Floats.rgb(ray, Layout.EMITTED), density, chosen, weight);
         directThroughput = new Rgb(direct(ray, 0), direct(ray, 1), direct(ray, 2));
         directBody = (int) looks[emitter + Layout.EMITTER_BODY];
-        return new EmitterChoice(directBody, looks[emitter + Layout.EMITTER_PROBABILITY]);
+        return new EmitterChoice(directBody, ray[Layout.CHOICE]);
     }
 
     /** {@code T * f * |cos| / p} of a channel. */

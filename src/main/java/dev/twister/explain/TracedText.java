@@ -1,7 +1,10 @@
 package dev.twister.explain;
 
-import dev.twister.explain.Scattering.EmitterChoice;
-import dev.twister.explain.Scattering.LobeChoice;
+import dev.twister.explain.PathStep.FoundLight;
+import dev.twister.explain.PathStep.RayKind;
+import dev.twister.explain.PathStep.Scattering;
+import dev.twister.explain.PathStep.Scattering.EmitterChoice;
+import dev.twister.explain.PathStep.Scattering.LobeChoice;
 import dev.twister.kernel.Layout;
 import java.util.ArrayList;
 import java.util.List;
@@ -40,7 +43,7 @@ final class TracedText {
                         .replace(System.lineSeparator(), "\n")
                 + TextTable.of(rows, TEXTS)
                 + "\n"
-                + NamesText.of(path, names)
+                + PathText.names(path, names)
                 + surfaces
                 + "\nadds = throughput * w * radiance, clamped beyond the first surface; 0 if the way to an emitter is"
                 + " blocked\n"

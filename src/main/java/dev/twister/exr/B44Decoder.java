@@ -1,5 +1,6 @@
 package dev.twister.exr;
 
+import dev.twister.exr.ExrPart.ExrFormat;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.zip.DataFormatException;
@@ -30,7 +31,7 @@ final class B44Decoder {
             }
             plane += bytes;
         }
-        ExrDamage.check(from == packed.length);
+        ExrChunkDecoder.check(from == packed.length);
         return ExrChunkDecoder.byRows(planes.array(), part, width, height);
     }
 

@@ -1,5 +1,6 @@
 package dev.twister.exr;
 
+import dev.twister.exr.ExrPart.ExrFormat;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
@@ -45,7 +46,7 @@ final class ExrChunkDecoder {
                 at += count + 1;
             }
         }
-        ExrDamage.check(at == length);
+        check(at == length);
         return plain;
     }
 
@@ -54,9 +55,9 @@ final class ExrChunkDecoder {
         byte[] plain = new byte[length];
         try (Inflater inflater = new Inflater()) {
             inflater.setInput(packed);
-            ExrDamage.check(inflater.inflate(plain) == length);
+            check(inflater.inflate(plain) == length);
             // The checksum at the end is read with the next byte.
-            ExrDamage.check(inflater.inflate(new byte[1]) == 0 && inflater.finished());
+            check(inflater.inflate(new byte[1]) == 0 && inflater.finished());
         }
         return plain;
     }
@@ -123,5 +124,12 @@ final class ExrChunkDecoder {
             }
         }
         return rows;
+    }
+
+    /** Ends the reading of a file that is not as its format says. */
+    static void check(boolean right) throws DataFormatException {
+        if (!right) {
+            throw new DataFormatException();
+        }
     }
 }

@@ -1,6 +1,7 @@
 package dev.twister.exr;
 
 import dev.twister.exr.ExrPart.Box;
+import dev.twister.exr.ExrPart.ExrFormat;
 import dev.twister.files.Deflate;
 import java.io.EOFException;
 import java.io.IOException;
@@ -169,9 +170,11 @@ public final class OpenExrFile {
         return ExrPart.text(part.attributes(), name);
     }
 
-    /** Parts of the file; all but the first are not read. */
-    public int parts() {
-        return parts;
+    /** Such as {@code the first of 3 parts, 'beauty'}, if the file has several: no other part is read. */
+    public Optional<String> firstPart() {
+        return Optional.of("the first of " + parts + " parts"
+                        + text("name").map(name -> ", '" + name + "'").orElse(""))
+                .filter(_ -> parts > 1);
     }
 
     /**

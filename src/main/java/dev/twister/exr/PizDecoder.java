@@ -19,7 +19,7 @@ final class PizDecoder {
         short[] table = new short[VALUES];
         int largest = table(in, table);
         int length = in.getInt();
-        ExrDamage.check(length >= 0 && length <= in.remaining());
+        ExrChunkDecoder.check(length >= 0 && length <= in.remaining());
         short[] values = new short[width * height * part.pixelBytes() / Short.BYTES];
         PizHuffman.decode(in.slice(in.position(), length).order(ByteOrder.LITTLE_ENDIAN), values);
         int plane = 0;
@@ -41,7 +41,7 @@ final class PizDecoder {
     private static int table(ByteBuffer in, short[] table) throws DataFormatException {
         int first = in.getShort() & 0xffff;
         int last = in.getShort() & 0xffff;
-        ExrDamage.check(last < BITMAP_BYTES);
+        ExrChunkDecoder.check(last < BITMAP_BYTES);
         byte[] bitmap = new byte[BITMAP_BYTES];
         if (first <= last) {
             in.get(bitmap, first, last - first + 1);

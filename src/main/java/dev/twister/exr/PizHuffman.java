@@ -38,7 +38,7 @@ final class PizHuffman {
         int index = 0;
         for (int length = LONGEST; length > 0; length--) {
             firstCode[length] = code;
-            ExrDamage.check(code + counts[length] <= 1L << length);
+            ExrChunkDecoder.check(code + counts[length] <= 1L << length);
             code = (code + counts[length]) >> 1;
         }
         for (int length = 1; length <= LONGEST; length++) {
@@ -77,12 +77,12 @@ final class PizHuffman {
         in.getInt();
         int bits = in.getInt();
         in.getInt();
-        ExrDamage.check(first >= 0 && first <= last && last < SYMBOLS && bits >= 0);
+        ExrChunkDecoder.check(first >= 0 && first <= last && last < SYMBOLS && bits >= 0);
         byte[] data = new byte[in.remaining()];
         in.get(data);
         int[] lengths = new int[SYMBOLS];
         long start = lengths(data, first, last, lengths);
-        ExrDamage.check(start + bits <= (long) Byte.SIZE * data.length);
+        ExrChunkDecoder.check(start + bits <= (long) Byte.SIZE * data.length);
         new PizHuffman(data, start, start + bits, lengths).decode(last, values);
     }
 
@@ -102,7 +102,7 @@ final class PizHuffman {
                     at += Byte.SIZE;
                 }
                 symbol += run;
-                ExrDamage.check(symbol <= last + 1);
+                ExrChunkDecoder.check(symbol <= last + 1);
             }
         }
         return Math.ceilDiv(at, Byte.SIZE) * Byte.SIZE;
@@ -123,10 +123,10 @@ final class PizHuffman {
         while (at < values.length) {
             int symbol = next();
             if (symbol == runSymbol) {
-                ExrDamage.check(at > 0 && position + Byte.SIZE <= end);
+                ExrChunkDecoder.check(at > 0 && position + Byte.SIZE <= end);
                 int run = bits(data, position, Byte.SIZE);
                 position += Byte.SIZE;
-                ExrDamage.check(run <= values.length - at);
+                ExrChunkDecoder.check(run <= values.length - at);
                 Arrays.fill(values, at, at + run, values[at - 1]);
                 at += run;
             } else {
@@ -144,13 +144,13 @@ final class PizHuffman {
             length = LOOKUP_BITS;
             do {
                 length++;
-                ExrDamage.check(length <= LONGEST);
+                ExrChunkDecoder.check(length <= LONGEST);
                 code = code << 1 | bits(data, position + length - 1, 1);
             } while (code < firstCode[length] || code - firstCode[length] >= counts[length]);
             symbol = sorted[firstIndex[length] + (int) (code - firstCode[length])];
         }
         position += length;
-        ExrDamage.check(position <= end);
+        ExrChunkDecoder.check(position <= end);
         return symbol;
     }
 }

@@ -59,6 +59,25 @@ public final class InputFile {
         }
     }
 
+    /**
+     * Reads a file of Twister's own whole, in whose place there may be anything by now.
+     *
+     * @throws IOException where it cannot be read, is larger than that, or is a pipe or a device, which could block or
+     *     never end
+     */
+    public static byte[] readSmall(Path file, int mostBytes) throws IOException {
+        if (!Files.isRegularFile(file)) {
+            throw new IOException("not a regular file");
+        }
+        try (InputStream in = Files.newInputStream(file)) {
+            byte[] bytes = in.readNBytes(mostBytes + 1);
+            if (bytes.length > mostBytes) {
+                throw new IOException("more than " + mostBytes + " bytes");
+            }
+            return bytes;
+        }
+    }
+
     private static String kind(Path file) throws IOException {
         int mode;
         try {

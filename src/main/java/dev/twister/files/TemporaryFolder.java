@@ -1,5 +1,6 @@
 package dev.twister.files;
 
+import dev.twister.files.TemporaryFile.ProcessId;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;

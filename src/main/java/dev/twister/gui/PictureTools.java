@@ -12,7 +12,6 @@ import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.picture.ClippingView;
 import dev.twister.gui.picture.Comparison;
-import dev.twister.gui.picture.HintLine;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PathTable;
 import dev.twister.gui.picture.PathView;
@@ -26,6 +25,12 @@ import dev.twister.gui.studio.Studio;
 import java.util.List;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.geometry.Pos;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.input.ScrollEvent;
+import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
 
 /** What lies over the picture and listens to the pointer there: the selection, its handles, paths and marks. */
@@ -85,5 +90,48 @@ record PictureTools(
             middle.getChildren().add(hint);
         }
         return new PictureTools(comparison, transform, box, safeFrame, inspector, paths, clipping, handles, bodyMouse);
+    }
+
+    /** What a newcomer needs first, over the picture's lower edge, until the picture is used for the first time. */
+    private static final class HintLine extends HBox {
+        static final String TEXT = "W A S D: walk  ·  Drag: look around  ·  Click: select  ·  F1: all keys";
+
+        private final Runnable whenDone;
+
+        /**
+         * A line that is seen at once.
+         *
+         * @param whenDone called once, when it goes away
+         */
+        public HintLine(PictureView picture, Runnable whenDone) {
+            this.whenDone = whenDone;
+            getStyleClass().add("hint-line");
+            setId("hint-line");
+            setAlignment(Pos.CENTER);
+            setMaxSize(USE_PREF_SIZE, USE_PREF_SIZE);
+            Label text = new Label(TEXT);
+            text.setMinWidth(0);
+            Button close = new Button("✕");
+            close.setId("close-hint");
+            close.setAccessibleText("Close the hint");
+            close.setFocusTraversable(false);
+            close.setOnAction(_ -> leave());
+            getChildren().addAll(text, close);
+            managedProperty().bind(visibleProperty());
+            picture.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+                if (!event.getCode().isModifierKey()) {
+                    leave();
+                }
+            });
+            picture.addEventFilter(MouseEvent.MOUSE_PRESSED, _ -> leave());
+            picture.addEventFilter(ScrollEvent.SCROLL, _ -> leave());
+        }
+
+        private void leave() {
+            if (isVisible()) {
+                setVisible(false);
+                whenDone.run();
+            }
+        }
     }
 }

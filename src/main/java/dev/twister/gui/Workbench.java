@@ -32,6 +32,7 @@ import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.picture.ZoomMouse;
 import dev.twister.gui.rendering.RenderActions;
 import dev.twister.gui.studio.BackgroundTasks;
+import dev.twister.gui.studio.Denoising;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Film;
 import dev.twister.gui.studio.MotionControl;
@@ -159,6 +160,12 @@ final class Workbench implements AutoCloseable {
                 .subscribe((_, choice) -> settings()
                         .change(kept ->
                                 kept.with(WindowSettings.ENGINE, choice.offer().id())));
+        if (settings().settings().get(WindowSettings.DENOISED)) {
+            Denoising.start(studio, tasks, _ -> {});
+        }
+        studio.denoiserProperty()
+                .subscribe((_, denoiser) ->
+                        settings().change(kept -> kept.with(WindowSettings.DENOISED, denoiser.isPresent())));
         studio.document().editsProperty().subscribe(_ -> showTitle());
         studio.document().fileProperty().subscribe(_ -> showTitle());
     }

@@ -1,5 +1,6 @@
 package dev.twister.image;
 
+import dev.twister.image.ExrPicture.ExrChannel;
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;

@@ -5,12 +5,14 @@ import dev.twister.exr.ExrColors;
 import dev.twister.exr.OpenExrFile;
 import dev.twister.files.InputFile;
 import dev.twister.files.SystemReason;
+import dev.twister.image.ExrPicture.ExrChannel;
 import java.io.EOFException;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -39,6 +41,11 @@ public final class ExrReader {
      */
     public static ExrExtent extent(Path file) throws IOException {
         return read(file, ExrReader::extent);
+    }
+
+    /** Such as {@code the first of 3 parts, 'beauty'}, if the file has several: no other part is read. */
+    public static Optional<String> part(Path file) throws IOException {
+        return read(file, OpenExrFile::firstPart);
     }
 
     private interface Content<T> {
@@ -108,5 +115,28 @@ public final class ExrReader {
                         exr.text(Provenance.SOFTWARE.toLowerCase(Locale.ROOT)).orElse(""), text))
                 .map(made -> made.withDisplay(
                         exr.text(DisplaySettings.NAME.toLowerCase(Locale.ROOT)).flatMap(DisplaySettings::of)));
+    }
+
+    /**
+     * Where the rows of an OpenEXR file are in a picture.
+     *
+     * @param width of the whole picture, in pixels
+     * @param height of the whole picture
+     * @param firstRow of the file, from the top
+     * @param rows of the file
+     */
+    public record ExrExtent(int width, int height, int firstRow, int rows) {
+        /** The first row of a picture, from the top, that none of these files has. */
+        static int missingRow(List<ExrExtent> files) {
+            int covered = 0;
+            for (ExrExtent file : files.stream()
+                    .sorted(Comparator.comparingInt(ExrExtent::firstRow))
+                    .toList()) {
+                if (file.firstRow <= covered) {
+                    covered = Math.max(covered, file.firstRow + file.rows);
+                }
+            }
+            return covered;
+        }
     }
 }

@@ -1,5 +1,7 @@
 package dev.twister.image;
 
+import dev.twister.image.ExrPicture.ExrChannel;
+import dev.twister.image.ExrReader.ExrExtent;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;

@@ -1,5 +1,8 @@
 package dev.twister.image;
 
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -42,5 +45,27 @@ public record Provenance(String software, String picture, String samples, Option
         return end < 0
                 ? Optional.empty()
                 : Optional.of(new Provenance(software, text.substring(0, end), text.substring(end + 1)));
+    }
+
+    /**
+     * How a picture was made; empty if another program made it, or it has other rows.
+     *
+     * @param file .png, .hdr or .exr; the first two have all rows
+     * @param firstRow required number of its first row
+     * @param rows required number of rows
+     * @throws IOException if the file cannot be read or is damaged
+     * @throws IllegalArgumentException if the name has another ending
+     */
+    public static Optional<Provenance> ofFile(Path file, int firstRow, int rows) throws IOException {
+        String name = file.toString().toLowerCase(Locale.ROOT);
+        return switch (name.substring(Math.max(0, name.lastIndexOf('.')))) {
+            case ".png" -> PngNotes.of(file).provenance();
+            case ".hdr" -> HdrNotes.of(file);
+            case ".exr" -> {
+                ExrPicture picture = ExrReader.read(file);
+                yield picture.provenance().filter(_ -> picture.firstRow() == firstRow && picture.rows() == rows);
+            }
+            default -> throw new IllegalArgumentException(file + " does not end in .png, .hdr or .exr");
+        };
     }
 }

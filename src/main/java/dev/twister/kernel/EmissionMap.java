@@ -47,8 +47,8 @@ final class EmissionMap {
                     Instance.at((int) looks[emitter + Layout.EMITTER_INSTANCE], (int) frame[Layout.INSTANCES], bodies);
             int triangle = Instance.triangles(bodies, instance)
                     + Layout.TRIANGLE_STRIDE * (int) looks[emitter + Layout.EMITTER_TRIANGLE];
-            float b = Emitter.secondCorner(first, second);
-            float c = Emitter.thirdCorner(first, second);
+            float b = TriangleEmitter.secondCorner(first, second);
+            float c = TriangleEmitter.thirdCorner(first, second);
             int map = row + Layout.MAPS_EMISSION;
             if ((variant & Variant.MASKS) != 0) {
                 float least = looks[row + Layout.MAPS_CUTOFF];

@@ -35,7 +35,7 @@ final class FirstHit {
             Path.meet(path, body, frame, bodies, looks, meshes, images, variant);
             float lit = 1f;
             float specular = 0f;
-            int isSurface = (body >= Layout.PLANE ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
+            int isSurface = (body >= Layout.PLANE ? 1 : 0) & (1 - Surface.isLight(body, looks, variant));
             if (isSurface != 0) {
                 int shaded = (stageOrView == Views.DIFFUSE ? 1 : 0) | (stageOrView == Views.HIGHLIGHTS ? 1 : 0);
                 if (shaded != 0) {

@@ -42,9 +42,6 @@ public final class Hit {
         if ((variant & Variant.WALK) != 0) {
             body = onWalk(path, body, scratch, frame, bodies, looks, variant);
         }
-        if ((variant & Variant.LIGHTS) != 0) {
-            body = amongLights(path, body, frame, bodies);
-        }
         if ((variant & Variant.MESHES) != 0) {
             body = MeshHit.find(path, body, scratch, frame, bodies, looks, meshes, variant);
         }
@@ -74,28 +71,6 @@ public final class Hit {
             }
         }
         path[Layout.DISTANCE] = closest;
-        return hit;
-    }
-
-    /** The closest hit so far, at {@link Layout#DISTANCE}, or a closer one of the lights after the first. */
-    private static int amongLights(float[] path, int first, float[] frame, float[] bodies) {
-        int hit = first;
-        int lights = (int) frame[Layout.LIGHTS];
-        for (int index = 1; index < lights; index++) {
-            int light = LightBody.at(index, frame);
-            int place = Layout.PLACE_STRIDE * light;
-            float distance = Intersection.sphere(
-                    bodies[place] - path[Layout.ORIGIN],
-                    bodies[place + 1] - path[Layout.ORIGIN + 1],
-                    bodies[place + 2] - path[Layout.ORIGIN + 2],
-                    bodies[place + Layout.PLACE_SIZE],
-                    path[Layout.DIRECTION],
-                    path[Layout.DIRECTION + 1],
-                    path[Layout.DIRECTION + 2]);
-            int closer = distance < path[Layout.DISTANCE] ? 1 : 0;
-            hit = closer != 0 ? light : hit;
-            path[Layout.DISTANCE] = closer != 0 ? distance : path[Layout.DISTANCE];
-        }
         return hit;
     }
 

@@ -7,6 +7,15 @@ public final class Illumination {
 
     private Illumination() {}
 
+    /** The body of the light that shades now: the only one, or {@link Layout#SHADING_LIGHT}. */
+    static int shading(float[] path, int variant) {
+        int light = Layout.LIGHT;
+        if ((variant & Variant.LIGHTS) != 0) {
+            light = (int) path[Layout.SHADING_LIGHT];
+        }
+        return light;
+    }
+
     /**
      * Adds a light's own color if the path ends at it.
      *

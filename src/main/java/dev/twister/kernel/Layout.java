@@ -59,16 +59,16 @@ public final class Layout {
     public static final int FIRST_ROW = 31;
     public static final int ROWS = 32;
 
-    /** Number of bodies without meshes and without further lights: the first light, the plane and the spheres. */
+    /** Number of present bodies without meshes: the first light, the plane and the spheres. */
     public static final int BODIES = 33;
 
     /**
-     * The first mesh's body; it is 0 if there are no meshes. Meshes are numbered after all spheres, including those not
-     * poured yet, and after the second and further lights, which come between them.
+     * The first mesh's body; it is 0 if there are no meshes. Meshes are numbered after all spheres: those not poured
+     * yet, and the lights after the first, come between them.
      */
     public static final int FIRST_MESH = 34;
 
-    /** Place of the spheres' root in {@code bodies}. */
+    /** Place in {@code bodies} of the root over all spheres. */
     public static final int ROOT = 35;
 
     /** Place of the meshes' hierarchy in {@code bodies}. */
@@ -89,19 +89,25 @@ public final class Layout {
     /** Place of the sky's table of probabilities in {@code images}, divided by {@value #ALIGNMENT}. */
     public static final int SKY_TABLE = 42;
 
-    /** Number of lights, and the second light's body; the others follow it. */
+    /** Number of lights, and place in {@code looks} of the table of their bodies. */
     public static final int LIGHTS = 43;
 
-    public static final int SECOND_LIGHT = 44;
+    public static final int LIGHT_TABLE = 44;
+
+    /** Place in {@code bodies} of the root over the spheres that cast shadows, which lights do not. */
+    public static final int SHADOW_ROOT = 45;
+
+    /** Place in {@code looks} of the tree over the emitters but the sky ({@link LightTree}); 0 without one. */
+    public static final int LIGHT_TREE = 46;
 
     /** Number of the first of the pixel's samples in the infinite sequence. */
-    public static final int FIRST_SAMPLE = 45;
+    public static final int FIRST_SAMPLE = 47;
 
     /**
      * Place in {@code frame} of the tiles to render: for each square of {@value #TILE_SIDE} x {@value #TILE_SIDE}
      * pixels of the rows, from the top left, 1 if it is to be rendered, else 0. 0 if all are.
      */
-    public static final int TILES = 46;
+    public static final int TILES = 48;
 
     public static final int TILE_SIDE = 16;
 
@@ -109,22 +115,22 @@ public final class Layout {
     public static final int MOST_TILES = 4096;
 
     /** With {@link LightLayers}: their number, and the place of the bodies' groups in {@code looks}. */
-    public static final int LIGHT_LAYERS = 47;
+    public static final int LIGHT_LAYERS = 49;
 
-    public static final int LIGHT_GROUPS = 48;
+    public static final int LIGHT_GROUPS = 50;
 
     /** The body that the camera is in, and the one around that ({@link Medium}); {@link #NOTHING} for none. */
-    public static final int CAMERA_MEDIUM = 49;
+    public static final int CAMERA_MEDIUM = 51;
 
-    public static final int CAMERA_OUTER_MEDIUM = 50;
+    public static final int CAMERA_OUTER_MEDIUM = 52;
 
     /** Place of the pixel's samples in {@code frame}. */
-    public static final int SAMPLES = 51;
+    public static final int SAMPLES = 53;
 
     /**
      * The points of the unit sunflower, x and y of each shadow sample; then, at {@link #SAMPLES}, the pixel's samples.
      */
-    public static final int DISC = 52;
+    public static final int DISC = 54;
 
     /**
      * A sample of the pixel, {@value #SAMPLE_STRIDE} floats: its position in the pixel, x and y in (0, 1); then pairs
@@ -196,6 +202,9 @@ public final class Layout {
     /** A light's factor of what it adds to the brightness of matte surfaces; 0 for other bodies. */
     public static final int LOOK_SHARE = 18;
 
+    /** 1 for a light, which is drawn in its own color, else 0. */
+    public static final int LOOK_LIGHT = 19;
+
     /** The reflectivity beside a metal, for path tracing. */
     public static final int LOOK_BESIDE_METAL = 20;
 
@@ -260,8 +269,8 @@ public final class Layout {
 
     /**
      * After the maps' table, from {@link #EMITTER_TABLE} on, the emitters of path tracing, each with the sum of the
-     * probabilities up to and including its own, its probability, its body ({@link #NOTHING} for the sky), and for a
-     * triangle its instance, its number (else -1) and its area in square meters.
+     * probabilities up to and including its own, its probability, its body ({@link #NOTHING} for the sky), for a
+     * triangle its instance, its number (else -1) and its area in square meters, and the number of its leaf in the tree.
      */
     public static final int EMITTER_END = 0;
 
@@ -270,7 +279,27 @@ public final class Layout {
     public static final int EMITTER_INSTANCE = 3;
     public static final int EMITTER_TRIANGLE = 4;
     public static final int EMITTER_AREA = 5;
-    public static final int EMITTER_STRIDE = 6;
+    public static final int EMITTER_LEAF = 6;
+    public static final int EMITTER_STRIDE = 7;
+
+    /**
+     * After the emitters, from {@link #LIGHT_TREE} on, a tree over them, the sky apart. A node with n leaves has as its
+     * first child the node that follows it, with the first n / 2 of them, rounded down; after that one's nodes comes
+     * the second child. A node has a sphere around its emitters, the sum of their powers, and a cone that holds the
+     * directions to which they emit most: a unit axis, cosine and sine of its half angle, at most a straight one.
+     */
+    public static final int LIGHTS_CENTER = 0;
+
+    public static final int LIGHTS_RADIUS = 3;
+    public static final int LIGHTS_POWER = 4;
+    public static final int LIGHTS_AXIS = 5;
+    public static final int LIGHTS_COSINE = 8;
+    public static final int LIGHTS_SINE = 9;
+
+    /** Of a leaf: the number of its emitter in the table, from 0 on. */
+    public static final int LIGHTS_EMITTER = 10;
+
+    public static final int LIGHTS_STRIDE = 11;
 
     /** Largest number of {@link LightLayers}. */
     public static final int MOST_LIGHT_LAYERS = 16;
@@ -290,7 +319,8 @@ public final class Layout {
     /**
      * In {@code bodies}, after the places, a bounding volume hierarchy over the spheres: first the spheres, contiguous
      * per leaf, then the nodes, the root first, at {@link #ROOT}. A sphere has its center and radius as in the places,
-     * then its body number.
+     * then its body number. Lights after the first are spheres: with them, the root's first child is at
+     * {@link #SHADOW_ROOT}, over the other spheres, and its second is over these lights.
      */
     public static final int SPHERE_RADIUS = PLACE_SIZE;
 
@@ -601,7 +631,13 @@ public final class Layout {
     /** Number of rays followed so far, if the opacity of meshes is a matter of chance. */
     public static final int RAYS = 125;
 
-    public static final int TRACED_PATH_LENGTH = 126;
+    /** Probability of the chosen emitter. */
+    public static final int CHOICE = 126;
+
+    /** With a tree of emitters: the normal of the surface that has chosen; 0 if light comes from both sides. */
+    public static final int LIT_NORMAL = 127;
+
+    public static final int TRACED_PATH_LENGTH = 130;
 
     /** With {@link Guides}: the sums over the pixel's samples. */
     public static final int GUIDE_ALBEDO = TRACED_PATH_LENGTH;
@@ -626,9 +662,8 @@ public final class Layout {
 
     private Layout() {}
 
-    /** Length of the spheres' hierarchy for a number of bodies without meshes. */
-    public static int spheresLength(int room) {
-        int spheres = room - FIRST_SPHERE;
-        return SPHERE_STRIDE * spheres + NODE_STRIDE * (spheres > 0 ? 2 * spheres - 1 : 1);
+    /** Length of the hierarchy over that number of spheres. */
+    public static int spheresLength(int spheres) {
+        return SPHERE_STRIDE * spheres + NODE_STRIDE * (2 * spheres + 1);
     }
 }

@@ -44,7 +44,7 @@ public final class Path {
             int variant) {
         int body = Hit.find(path, scratch, frame, bodies, looks, meshes, variant);
         int goesOn = 0;
-        int isLight = LightBody.isLight(body, frame, variant);
+        int isLight = Surface.isLight(body, looks, variant);
         if (((body >= Layout.PLANE ? 1 : 0) & (1 - isLight)) != 0) {
             meet(path, body, frame, bodies, looks, meshes, images, variant);
             if ((variant & Variant.MATERIALS) != 0) {

@@ -156,7 +156,7 @@ public final class PathTracer {
             meet(path, body, frame, bodies, looks, meshes, images, variant);
             addEmission(path, body, bounce, scratch, frame, bodies, looks, variant);
         }
-        int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - LightBody.isLight(body, frame, variant));
+        int isSurface = (body > Layout.LIGHT ? 1 : 0) & (1 - Surface.isLight(body, looks, variant));
         if (isSurface != 0) {
             if (bounce <= (int) frame[Layout.BOUNCES]) {
                 toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);

@@ -13,7 +13,7 @@ final class PlaneShadow {
      * @param discRadius in meters
      */
     static int mayBlock(float[] path, int own, float discRadius, float[] bodies, int variant) {
-        int place = Layout.PLACE_STRIDE * LightBody.shading(path, variant);
+        int place = Layout.PLACE_STRIDE * Illumination.shading(path, variant);
         float height = bodies[Layout.PLACE_STRIDE * Layout.PLANE + 1];
         float above = path[Layout.POINT + 1] - height;
         float light = bodies[place + 1] - height;
@@ -31,7 +31,7 @@ final class PlaneShadow {
      * @param y the sample's position along W, at distance 1
      */
     static int blocks(float[] path, float x, float y, float[] bodies, int variant) {
-        int light = Layout.PLACE_STRIDE * LightBody.shading(path, variant);
+        int light = Layout.PLACE_STRIDE * Illumination.shading(path, variant);
         int plane = Layout.PLACE_STRIDE * Layout.PLANE;
         float distance = path[Layout.LIGHT_DISTANCE];
         float above = path[Layout.POINT + 1] - bodies[plane + 1];

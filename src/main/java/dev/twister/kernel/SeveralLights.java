@@ -4,6 +4,11 @@ package dev.twister.kernel;
 public final class SeveralLights {
     private SeveralLights() {}
 
+    /** A light's body. */
+    private static int at(int index, float[] frame, float[] looks) {
+        return (int) looks[(int) frame[Layout.LIGHT_TABLE] + index];
+    }
+
     /**
      * Lets a light shade: writes its body, and its direction from {@link Layout#POINT} as {@link Illumination#aim}.
      *
@@ -37,7 +42,7 @@ public final class SeveralLights {
         path[Layout.HIGHLIGHT + 2] = 0f;
         int count = (int) frame[Layout.LIGHTS];
         for (int index = 0; index < count; index++) {
-            int light = LightBody.at(index, frame);
+            int light = at(index, frame, looks);
             choose(path, light, bodies);
             float visible = 1f;
             if (shadowed != 0) {
@@ -76,7 +81,7 @@ public final class SeveralLights {
         float sum = 0f;
         int count = (int) frame[Layout.LIGHTS];
         for (int index = 0; index < count; index++) {
-            choose(path, LightBody.at(index, frame), bodies);
+            choose(path, at(index, frame, looks), bodies);
             sum = sum + Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
         }
         return sum / count;

@@ -58,7 +58,7 @@ public final class Shadow {
         }
         int matters = (Variant.stageOrView(variant) == Views.SHADOW ? 1 : 0) | matters(path, frame, variant);
         if ((matters & (visible > 0f ? 1 : 0)) != 0) {
-            int light = LightBody.shading(path, variant);
+            int light = Illumination.shading(path, variant);
             float discRadius = 2f * bodies[Layout.PLACE_STRIDE * light + Layout.PLACE_SIZE];
             face(path, discRadius, frame);
             int plane = PlaneShadow.mayBlock(path, own, discRadius, bodies, variant);
@@ -218,7 +218,7 @@ public final class Shadow {
             float[] path, int own, float[] scratch, float[] frame, float[] bodies, float[] looks, int variant) {
         int count = 0;
         if ((variant & Variant.WALK) == 0) {
-            int root = (int) frame[Layout.ROOT];
+            int root = (int) frame[Layout.SHADOW_ROOT];
             int link = (int) bodies[root + Layout.NODE_LINK];
             int spheres = (int) bodies[root + Layout.NODE_SPHERES];
             count = addLeaf(path, own, 0, link, spheres, scratch, frame, bodies, looks, variant);
@@ -246,7 +246,7 @@ public final class Shadow {
         float greatestY = NodeBox.inverse(axisY + spreadY);
         float greatestZ = NodeBox.inverse(axisZ + spreadZ);
         float end = path[Layout.LIGHT_DISTANCE] * RELATIVE_MARGIN;
-        int node = (int) frame[Layout.ROOT];
+        int node = (int) frame[Layout.SHADOW_ROOT];
         float growth = NodeBox.coneGrowth(path, bodies, node);
         int count = 0;
         int waiting = 0;

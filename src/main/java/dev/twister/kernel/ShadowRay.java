@@ -21,7 +21,7 @@ public final class ShadowRay {
             float[] looks,
             float[] meshes,
             int variant) {
-        float discRadius = 2f * bodies[Layout.PLACE_STRIDE * LightBody.shading(path, variant) + Layout.PLACE_SIZE];
+        float discRadius = 2f * bodies[Layout.PLACE_STRIDE * Illumination.shading(path, variant) + Layout.PLACE_SIZE];
         Shadow.face(path, discRadius, frame);
         float scale = path[Layout.DISC_SCALE];
         float x = frame[Layout.DISC + 2 * sample] * scale;
@@ -69,7 +69,7 @@ public final class ShadowRay {
         float inverseY = NodeBox.inverse(axisY + uY * x + wY * y);
         float inverseZ = NodeBox.inverse(axisZ + uZ * x + wZ * y);
         float end = distance * Shadow.RELATIVE_MARGIN;
-        int node = (int) frame[Layout.ROOT];
+        int node = (int) frame[Layout.SHADOW_ROOT];
         float growth = NodeBox.growth(bodies, node, pointX, pointY, pointZ);
         float light = 1f;
         int waiting = 0;

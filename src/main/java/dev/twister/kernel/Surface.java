@@ -49,6 +49,16 @@ public final class Surface {
         return mesh;
     }
 
+    /** 1 if the body is a light, which is drawn in its own color, else 0. */
+    static int isLight(int body, float[] looks, int variant) {
+        int isLight = body == Layout.LIGHT ? 1 : 0;
+        if ((variant & Variant.LIGHTS) != 0) {
+            int look = Layout.LOOK_STRIDE * (body > Layout.NOTHING ? body : Layout.PLANE);
+            isLight = looks[look + Layout.LOOK_LIGHT] > 0f ? 1 : 0;
+        }
+        return isLight;
+    }
+
     private static void findOnPlaneOrSphere(float[] path, int body, float[] bodies) {
         float distance = path[Layout.DISTANCE];
         float pointX = path[Layout.ORIGIN] + distance * path[Layout.DIRECTION];

@@ -1,5 +1,9 @@
 package dev.twister.mesh;
 
+import dev.twister.scene.Camera;
+import dev.twister.scene.CameraView;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Vector3;
 import java.util.List;
 
 /**
@@ -20,5 +24,55 @@ public record FileSurroundings(List<FileLight> lights, List<FileCamera> cameras)
         return new FileSurroundings(
                 lights.stream().map(light -> light.placed(placement)).toList(),
                 cameras.stream().map(camera -> camera.placed(placement)).toList());
+    }
+
+    /**
+     * A camera of a file.
+     *
+     * @param fieldOfViewDegrees the angle over the shorter side of the picture
+     * @param position in meters
+     * @param direction unit vector in which it looks
+     */
+    public record FileCamera(String name, double fieldOfViewDegrees, Vector3 position, Vector3 direction) {
+        FileCamera placed(Affine placement) {
+            return new FileCamera(
+                    name,
+                    fieldOfViewDegrees,
+                    placement.point(position),
+                    placement.direction(direction).normalized());
+        }
+
+        /** A view of a scene; the horizon is level. */
+        CameraView view() {
+            double yaw = Math.toDegrees(Math.atan2(direction.x(), direction.z()));
+            double pitch = Math.toDegrees(Math.asin(Math.clamp(-direction.y(), -1, 1)));
+            return new CameraView(name, Camera.of(position, yaw, pitch, fieldOfViewDegrees));
+        }
+    }
+
+    /**
+     * A light of a file, without a size.
+     *
+     * @param kind how far away it is
+     * @param color linear
+     * @param intensity in candela, or in lux if the light is far away
+     * @param position in meters; without meaning if the light is far away
+     * @param direction unit vector in which it shines; without meaning if the light is near
+     */
+    public record FileLight(Kind kind, Rgb color, double intensity, Vector3 position, Vector3 direction) {
+        /** How far away a light is. */
+        public enum Kind {
+            NEAR,
+            FAR
+        }
+
+        FileLight placed(Affine placement) {
+            return new FileLight(
+                    kind,
+                    color,
+                    intensity,
+                    placement.point(position),
+                    placement.direction(direction).normalized());
+        }
     }
 }

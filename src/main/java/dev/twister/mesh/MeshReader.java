@@ -12,7 +12,7 @@ import dev.twister.mesh.input.Warnings;
 import dev.twister.mesh.obj.ObjReader;
 import dev.twister.mesh.ply.PlyReader;
 import dev.twister.mesh.shape.ShapeMaker;
-import dev.twister.mesh.shape.TrianglesOfCode;
+import dev.twister.mesh.shape.ShapeMaker.TrianglesOfCode;
 import dev.twister.mesh.stl.StlReader;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Shape;

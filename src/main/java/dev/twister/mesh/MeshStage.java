@@ -1,5 +1,7 @@
 package dev.twister.mesh;
 
+import dev.twister.mesh.FileSurroundings.FileCamera;
+import dev.twister.mesh.FileSurroundings.FileLight;
 import dev.twister.mesh.input.QuotedText;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Geometry;
@@ -11,9 +13,11 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.light.Lights;
+import dev.twister.scene.property.LightProperties;
 import dev.twister.scene.property.SceneLimits;
 import dev.twister.scene.select.Title;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
 /** A scene for viewing one mesh: scaled to 2 meters, on the checkered plane, in the center of the picture. */
@@ -39,9 +43,32 @@ public final class MeshStage {
 
     private static final Rgb BRIGHT = new Rgb(0.8, 0.8, 0.8);
     private static final Rgb DARK = new Rgb(0.35, 0.35, 0.35);
-    private static final Light LIGHT = Light.of(new Vector3(-3, 6, -4), 0.5, new Rgb(1, 1, 1));
+    private static final Vector3 LAMP = new Vector3(-3, 6, -4);
+
+    /** What the lamp adds at least to the light of a sky, for shadows and highlights. */
+    private static final double LEAST_PART = 0.1;
+
+    /** Light of the day sky on a surface that faces up, under which the window opens a mesh. */
+    private static final double DAY = 0.81;
 
     private MeshStage() {}
+
+    /**
+     * The scene under another sky: with path tracing, the stage's own lamp adds what the sky's light lacks for the
+     * brightness that the ground has without path tracing.
+     *
+     * @param sky the luminance of a white surface that faces up, under the sky alone
+     */
+    public static Scene under(double sky, Scene scene) {
+        return scene.lights().equals(Lights.of(lamp(DAY))) ? scene.withLights(Lights.of(lamp(sky))) : scene;
+    }
+
+    private static Light lamp(double sky) {
+        double squared = LAMP.dot(LAMP);
+        double lit = LAMP.y() / Math.sqrt(squared);
+        double part = Math.max(1 - sky / lit, LEAST_PART);
+        return Light.of(LAMP, 0.5, new Rgb(1, 1, 1)).withStrength(part * squared);
+    }
 
     /** Default file for saving a mesh's scene: beside the mesh. */
     public static Path sceneFile(Path mesh) {
@@ -88,9 +115,95 @@ public final class MeshStage {
                 .withTitle(Title.NONE.withName(file.getFileName().toString()))
                 .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
                 .withViews(around.cameras().stream().map(FileCamera::view).toList())
-                .withLights(around.lights().isEmpty() ? Lights.of(LIGHT) : lights.of(around.lights(), scale))
+                .withLights(around.lights().isEmpty() ? Lights.of(lamp(DAY)) : lights.of(around.lights(), scale))
                 .withRendering(Rendering.DEFAULT.withShadowSamples(SHADOW_SAMPLES))
                 .withGround(Ground.of(PLANE_SIZE, PLANE_HEIGHT, BRIGHT, DARK, 0))
                 .withMeshes(List.of(mesh));
+    }
+
+    /**
+     * The lights of a file, which have no size, as balls around its mesh: near ones are small, far ones like the sun.
+     */
+    private static final class StageLights {
+        /** Radius of a near light, as a part of the mesh's. */
+        private static final double SMALL = 0.002;
+
+        /** Distance of a far light, in radii of the mesh. */
+        private static final double FAR = 100;
+
+        /** Radius of the sun over its distance. */
+        private static final double SUN = 0.00465;
+
+        private final Vector3 center;
+        private final double radius;
+
+        /** A light, and the direction from the mesh's center to it. */
+        private record Placed(Light light, Vector3 toLight) {}
+
+        /**
+         * @param center of the mesh
+         * @param radius half of the mesh's largest side
+         */
+        StageLights(Vector3 center, double radius) {
+            this.center = center;
+            this.radius = radius;
+        }
+
+        /**
+         * The lights of a scene. Where they would light the center more brightly than white, all are dimmed by the same
+         * factor: files do not say for which exposure their lights are.
+         *
+         * @param lights at least one, in the scene's coordinates
+         * @param scale meters in the scene per meter of the file
+         */
+        Lights of(List<FileLight> lights, double scale) {
+            List<Placed> placed =
+                    lights.stream().map(light -> placed(light, scale)).toList();
+            double dimmed = 1 / Math.max(1, brightest(placed));
+            List<Light> used = new ArrayList<>();
+            for (Placed one : placed) {
+                Light light = one.light();
+                Light dim = light.withShare(LightProperties.SHARE.range().clamp(dimmed * light.share()));
+                used.add(light.strength()
+                        .map(strength -> dim.withStrength(LightProperties.STRENGTH.range().clamp(dimmed * strength)))
+                        .orElse(dim));
+            }
+            return new Lights(used);
+        }
+
+        private Placed placed(FileLight light, double scale) {
+            Vector3 toNear = light.position().minus(center);
+            boolean far = light.kind() == FileLight.Kind.FAR;
+            Vector3 place = far ? light.direction().times(-FAR * radius) : toNear;
+            double distance = Math.max(place.length(), radius);
+            // A white surface at the distance of 1 m has this radiance; distances are scaled, and light at the mesh is
+            // not.
+            double strength = light.intensity() / Math.PI * (far ? distance * distance : scale * scale);
+            double share = luminance(light.color()) * strength / (distance * distance);
+            Light ball = Light.of(
+                            SceneLimits.POSITION.clamp(center.plus(place)),
+                            far ? SUN * distance : SMALL * radius,
+                            light.color())
+                    .withStrength(strength)
+                    .withShare(share);
+            return new Placed(ball, place.length() > 0 ? place.normalized() : place);
+        }
+
+        /** How brightly a white surface at the center is lit that faces the light from whose side it is lit most. */
+        private static double brightest(List<Placed> lights) {
+            double brightest = 0;
+            for (Placed faced : lights) {
+                double sum = 0;
+                for (Placed other : lights) {
+                    sum += other.light().share() * Math.max(0, faced.toLight().dot(other.toLight()));
+                }
+                brightest = Math.max(brightest, sum);
+            }
+            return brightest;
+        }
+
+        private static double luminance(Rgb color) {
+            return 0.2126 * color.red() + 0.7152 * color.green() + 0.0722 * color.blue();
+        }
     }
 }

@@ -27,33 +27,49 @@ final class Cutout {
     }
 
     /**
-     * Renders the picture, one sample of each pixel after the other.
+     * Renders the picture.
      *
      * @param input of the picture itself
      * @param samples number per pixel
      */
     static BandedDrawing.Drawn draw(Engine engine, FrameInput input, int samples, RenderProgress progress) {
-        int width = input.width();
-        int rows = input.rows();
-        Frame colors = Frame.ofRadiance(width, rows);
-        Frame bodies = Frame.ofRadiance(width, rows);
+        Cutout cutout = new Cutout(input.width() * input.rows());
+        FrameTimes times = cutout.gather(engine, input, samples, progress);
+        Frame whole = Frame.ofPixels(input.width(), input.rows());
+        cutout.put(whole.argb(), samples, input);
+        whole.setTimes(times);
+        return new BandedDrawing.Drawn(whole, new float[0], 0);
+    }
+
+    /**
+     * The mean linear radiance of the samples of each pixel that meet a body, three floats a pixel; 0 where none does.
+     */
+    static float[] radiance(Engine engine, FrameInput input, int samples) {
+        Cutout cutout = new Cutout(input.width() * input.rows());
+        FrameTimes _ = cutout.gather(engine, input, samples, RenderProgress.SILENT);
+        return cutout.radiance;
+    }
+
+    /** Renders one sample of each pixel after the other. */
+    private FrameTimes gather(Engine engine, FrameInput input, int samples, RenderProgress progress) {
+        Frame colors = Frame.ofRadiance(input.width(), input.rows());
+        Frame bodies = Frame.ofRadiance(input.width(), input.rows());
         colors.stopWhen(progress::isStopped);
         bodies.stopWhen(progress::isStopped);
         FrameInput shown = input.showing(StageOrView.BODY);
-        Cutout cutout = new Cutout(width * rows);
         FrameTimes times = FrameTimes.NONE;
         for (int sample = 0; sample < samples; sample++) {
             engine.render(shown.withSamples(sample, 1), bodies);
             times = times.plus(bodies.times());
             engine.render(input.withSamples(sample, 1), colors);
             times = times.plus(colors.times());
-            cutout.add(colors.radiance(), bodies.radiance());
+            add(colors.radiance(), bodies.radiance());
             progress.part(engine.id(), (sample + 1.0) / samples, Optional.empty());
         }
-        Frame whole = Frame.ofPixels(width, rows);
-        cutout.put(whole.argb(), samples, input);
-        whole.setTimes(times);
-        return new BandedDrawing.Drawn(whole, new float[0], 0);
+        for (int value = 0; value < radiance.length; value++) {
+            radiance[value] /= Math.max(1, hits[value / CHANNELS]);
+        }
+        return times;
     }
 
     private void add(float[] colors, float[] bodies) {
@@ -69,9 +85,6 @@ final class Cutout {
     }
 
     private void put(int[] argb, int samples, FrameInput input) {
-        for (int value = 0; value < radiance.length; value++) {
-            radiance[value] /= Math.max(1, hits[value / CHANNELS]);
-        }
         TonedPixels.write(radiance, input, argb);
         for (int pixel = 0; pixel < argb.length; pixel++) {
             int alpha = Math.round((float) OPAQUE * hits[pixel] / samples);

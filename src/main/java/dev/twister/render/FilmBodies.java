@@ -1,6 +1,7 @@
 package dev.twister.render;
 
 import dev.twister.physics.Simulation;
+import dev.twister.render.RenderOrder.BodyMotion;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.world.Bodies;

@@ -1,5 +1,6 @@
 package dev.twister.render;
 
+import dev.twister.render.RenderOrder.Movement;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;

@@ -5,7 +5,7 @@ import dev.twister.denoise.NoisyPicture;
 import dev.twister.denoise.Plane;
 import dev.twister.engine.Engine;
 import dev.twister.files.TwisterVersion;
-import dev.twister.image.ExrChannel;
+import dev.twister.image.ExrPicture.ExrChannel;
 import dev.twister.image.Frame;
 import dev.twister.image.JoinedPicture;
 import dev.twister.image.Provenance;

@@ -1,7 +1,7 @@
 package dev.twister.render;
 
-import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrPicture;
+import dev.twister.image.ExrPicture.ExrChannel;
 import dev.twister.image.ExrWriter;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;

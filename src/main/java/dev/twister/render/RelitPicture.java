@@ -1,7 +1,7 @@
 package dev.twister.render;
 
-import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrPicture;
+import dev.twister.image.ExrPicture.ExrChannel;
 import dev.twister.scene.Rgb;
 import java.util.ArrayList;
 import java.util.List;

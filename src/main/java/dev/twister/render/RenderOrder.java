@@ -2,9 +2,12 @@ package dev.twister.render;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.image.PictureSize;
+import dev.twister.motion.MotionFile;
 import dev.twister.scene.Scene;
+import dev.twister.world.FrameInput;
 import dev.twister.world.StageOrView;
 import java.util.List;
+import java.util.function.DoubleFunction;
 
 /**
  * Everything that the files of a rendering depend on; {@link Renderer} carries it out.
@@ -32,5 +35,33 @@ public record RenderOrder(
     /** The size of each picture. */
     public PictureSize size() {
         return new PictureSize(scene.rendering().width(), scene.rendering().height());
+    }
+
+    /**
+     * What changes between the frames of a film.
+     *
+     * @param scene of the order at a time in seconds; physics may move its spheres elsewhere
+     * @param rate frames per second
+     */
+    public record Movement(BodyMotion bodies, DoubleFunction<Scene> scene, double rate) {}
+
+    /** Where the bodies' positions in each frame come from. */
+    public sealed interface BodyMotion {
+        /** The scene's positions in every frame. */
+        record Still() implements BodyMotion {}
+
+        /**
+         * Simulated physics.
+         *
+         * @param startSeconds simulated time before frame 0
+         * @param secondsPerFrame simulated time between frames
+         */
+        record Simulated(double startSeconds, double secondsPerFrame) implements BodyMotion {}
+
+        /** Read by frame number; the file stays open until the rendering ends, and is closed by its opener. */
+        record Recorded(MotionFile file) implements BodyMotion {}
+
+        /** The positions of a picture of the same scene, in every frame. */
+        record Seen(FrameInput picture) implements BodyMotion {}
     }
 }

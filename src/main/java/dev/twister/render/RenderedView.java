@@ -1,7 +1,7 @@
 package dev.twister.render;
 
 import dev.twister.engine.NumberColors;
-import dev.twister.image.ExrChannel;
+import dev.twister.image.ExrPicture.ExrChannel;
 import dev.twister.image.Frame;
 import dev.twister.world.StageOrView;
 import java.util.ArrayList;

@@ -6,8 +6,8 @@ import dev.twister.film.EncodedPixels;
 import dev.twister.film.FilmFile;
 import dev.twister.film.FilmFormat;
 import dev.twister.film.FilmWriting;
-import dev.twister.image.PictureNotes;
 import dev.twister.image.Provenance;
+import dev.twister.render.RenderOrder.BodyMotion;
 import dev.twister.threads.BackgroundWriter;
 import dev.twister.world.FrameInput;
 import dev.twister.world.StageOrView;
@@ -17,6 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /** Renders an order to its files. Files are written in the background while the next frames are rendered. */
 public final class Renderer {
@@ -96,8 +97,12 @@ public final class Renderer {
             int start = order.movement().bodies() instanceof BodyMotion.Recorded recorded
                     ? recorded.file().firstFrame()
                     : 0;
-            shown.setExposure(
-                    ExposureMeter.stops(shown.frame(start).showing(first)).orElseThrow(BlackPictureException::new));
+            FrameInput input = shown.frame(start).showing(first);
+            // What is not in the picture does not count.
+            OptionalDouble stops = output.background() == Background.NONE
+                    ? ExposureMeter.stops(input, Cutout::radiance)
+                    : ExposureMeter.stops(input);
+            shown.setExposure(stops.orElseThrow(BlackPictureException::new));
         }
     }
 
@@ -161,7 +166,7 @@ public final class Renderer {
             return false;
         }
         try {
-            Optional<Provenance> found = PictureNotes.of(file, part.firstRow(), part.rows());
+            Optional<Provenance> found = Provenance.ofFile(file, part.firstRow(), part.rows());
             if (found.filter(made::isOfSamePicture).isPresent()) {
                 return true;
             }
@@ -175,5 +180,14 @@ public final class Renderer {
     private void write(int number, List<RenderedView> drawn, FrameInput part, Provenance made) throws IOException {
         boolean alpha = output.background() == Background.NONE;
         output.format().write(output.file(number), drawn, part, alpha, made);
+    }
+
+    /** The exposure should be set by a picture without any light. */
+    public static final class BlackPictureException extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        BlackPictureException() {
+            super("the picture is black");
+        }
     }
 }

@@ -56,10 +56,7 @@ final class ExrPanorama {
         if (colors.isEmpty()) {
             throw new IOException("an OpenEXR file without colors; it has " + String.join(", ", exr.channels()));
         }
-        if (exr.parts() > 1) {
-            warnings.accept("has " + exr.parts() + " parts; the first is read"
-                    + exr.text("name").map(name -> ", '" + name + "'").orElse(""));
-        }
+        exr.firstPart().ifPresent(part -> warnings.accept("is more than what is read, " + part));
         List<float[]> channels = exr.read(colors);
         float[] radiance = new float[Math.multiplyExact(3, exr.width() * exr.height())];
         int first = exr.firstRow() * exr.width();

@@ -31,6 +31,25 @@ public record Skybox(int width, int height, float[] radiance, float[] opacity) i
         this(width, height, radiance, OPAQUE);
     }
 
+    /** The luminance that a white surface has which faces up, under nothing but the panorama. */
+    public double lightFromAbove() {
+        double sum = 0;
+        double step = Math.PI / height;
+        for (int row = 0; row < (height + 1) / 2; row++) {
+            double top = Math.sin(row * step);
+            double bottom = Math.sin(Math.min((row + 1) * step, Math.PI / 2));
+            // The row's share of the light is its area as seen from above.
+            double share = (bottom * bottom - top * top) / width;
+            for (int texel = row * width; texel < (row + 1) * width; texel++) {
+                sum += share
+                        * (0.2126 * radiance[3 * texel]
+                                + 0.7152 * radiance[3 * texel + 1]
+                                + 0.0722 * radiance[3 * texel + 2]);
+            }
+        }
+        return sum;
+    }
+
     @Override
     public boolean isOpaque() {
         return opacity.length == 0;

@@ -15,7 +15,8 @@ import dev.twister.world.hierarchy.SphereHierarchy;
  *     lights and the meshes
  * @param looks the array {@code looks} of {@link Layout}: materials, then the maps' table
  * @param meshes the distinct meshes of the bodies
- * @param room maximum number of bodies without meshes and further lights; the second light is numbered from here
+ * @param room maximum number of bodies without meshes and lights after the first; these lights are numbered from here
+ * @param sphereEnd one more than the highest number of a sphere, lights included
  * @param end one more than the highest body number, including meshes
  * @param firstMesh the first body after the lights, or {@link Layout#NO_MESHES} if no mesh is visible
  * @param materials bits of {@link Variant}: what the materials of all bodies, present or not, need of the kernel, and
@@ -29,6 +30,7 @@ public record Bodies(
         float[] looks,
         float[] meshes,
         int room,
+        int sphereEnd,
         int end,
         int firstMesh,
         int materials,
@@ -61,18 +63,9 @@ public record Bodies(
         return Layout.PLACE_STRIDE * end;
     }
 
-    /**
-     * Place of the root of the spheres' hierarchy.
-     *
-     * @param bodyCount number of present bodies without meshes and further lights
-     */
-    public int root(int bodyCount) {
-        return SphereHierarchy.root(end, bodyCount);
-    }
-
     /** Place of the meshes' hierarchy. */
     public int instances() {
-        return spheres() + Layout.spheresLength(room);
+        return spheres() + Layout.spheresLength(sphereEnd - Layout.FIRST_SPHERE);
     }
 
     /** Place of the maps' table in the looks. */
@@ -102,10 +95,11 @@ public record Bodies(
     }
 
     Bodies withLooks(float[] newLooks) {
-        return new Bodies(floats, newLooks, meshes, room, end, firstMesh, materials, origin, hierarchy);
+        return new Bodies(floats, newLooks, meshes, room, sphereEnd, end, firstMesh, materials, origin, hierarchy);
     }
 
     Bodies withFloats(float[] newFloats) {
-        return new Bodies(newFloats, looks, meshes, room, end, firstMesh, materials, origin, new HierarchyIdentity());
+        return new Bodies(
+                newFloats, looks, meshes, room, sphereEnd, end, firstMesh, materials, origin, new HierarchyIdentity());
     }
 }

@@ -7,6 +7,8 @@ import dev.twister.kernel.Views;
 import dev.twister.scene.ToneMap;
 import dev.twister.world.hierarchy.SphereHierarchy;
 import java.util.Arrays;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
 
 /**
  * A snapshot of the world as the flat arrays that the kernel reads.
@@ -35,12 +37,12 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
         return (int) view.frame()[Layout.ROWS];
     }
 
-    /** Number of present bodies without meshes and further lights: the first light, the plane and the spheres. */
+    /** Number of present bodies without meshes: the first light, the plane and the spheres. */
     public int bodyCount() {
         return (int) view.frame()[Layout.BODIES];
     }
 
-    /** One more than the highest number of a present body, including meshes, but without further lights. */
+    /** One more than the highest number of a present body, including meshes, but without lights after the first. */
     public int bodyEnd() {
         return bodies.firstMesh() == Layout.NO_MESHES ? bodyCount() : bodies.end();
     }
@@ -52,12 +54,20 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
 
     /** A light's body. */
     public int light(int index) {
-        return index == 0 ? Layout.LIGHT : bodies.room() + index - 1;
+        return (int) bodies.looks()[(int) view.frame()[Layout.LIGHT_TABLE] + index];
     }
 
     /** Whether the body is a light. */
     public boolean isLight(int body) {
-        return body == Layout.LIGHT || (body >= bodies.room() && body < light(lights()));
+        return body > Layout.NOTHING && bodies.looks()[Layout.LOOK_STRIDE * body + Layout.LOOK_LIGHT] > 0;
+    }
+
+    /** The place of a light's body in the scene's list. */
+    public int lightIndex(int body) {
+        return IntStream.range(0, lights())
+                .filter(index -> light(index) == body)
+                .findFirst()
+                .orElseThrow();
     }
 
     /** Whether the one light that the paper's formula has is not enough. */
@@ -100,9 +110,16 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
         return view.frame()[Layout.SRGB] > 0;
     }
 
-    /** Place of the root of the spheres' hierarchy in {@link Bodies#floats}. */
-    public int root() {
-        return (int) view.frame()[Layout.ROOT];
+    /** Place in {@link Bodies#floats} of the root over the spheres that cast shadows. */
+    public int shadowRoot() {
+        return (int) view.frame()[Layout.SHADOW_ROOT];
+    }
+
+    /** Place of the root over the lights that are spheres, other than the first; empty without any. */
+    public OptionalInt lightRoot() {
+        return view.frame()[Layout.ROOT] == shadowRoot()
+                ? OptionalInt.empty()
+                : OptionalInt.of(shadowRoot() + Layout.NODE_STRIDE);
     }
 
     /** Whether paths are traced. */
@@ -140,7 +157,11 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
      */
     public FrameInput withLeavesOf(int mostInLeaf) {
         float[] places = Arrays.copyOf(bodies.floats(), bodies.spheres());
-        float[] floats = SphereHierarchy.of(places, bodyCount(), mostInLeaf);
+        int[] spheres = IntStream.range(1, lights())
+                .map(this::light)
+                .filter(light -> bodies.size(light) > 0)
+                .toArray();
+        float[] floats = SphereHierarchy.of(places, bodyCount(), spheres, mostInLeaf);
         return new FrameInput(view, bodies.withFloats(floats), images);
     }
 
@@ -258,7 +279,8 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
      * valid.
      */
     public boolean hasFewSpheres() {
-        return bodies.floats()[root() + Layout.NODE_SPHERES] >= 0
+        return lightRoot().isEmpty()
+                && bodies.floats()[shadowRoot() + Layout.NODE_SPHERES] >= 0
                 && bodies.room() - Layout.FIRST_SPHERE < SphereHierarchy.FEWEST_SPHERES;
     }
 }

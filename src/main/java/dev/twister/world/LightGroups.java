@@ -10,6 +10,7 @@ import dev.twister.scene.SceneException;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.light.LightGroup;
 import dev.twister.scene.material.Emission;
+import dev.twister.world.table.BodyOrder;
 import dev.twister.world.table.GroupNumbers;
 import dev.twister.world.table.MeshBody;
 import java.util.List;
@@ -30,25 +31,22 @@ public record LightGroups(List<String> names, float[] layers) {
      */
     public static LightGroups of(Scene scene, List<MeshBody> meshes) {
         List<Sphere> spheres = scene.allSpheres();
-        List<Light> further = scene.lights().further();
-        int firstLight = Layout.FIRST_SPHERE + spheres.size();
-        int firstMesh = firstLight + further.size();
-        GroupNumbers numbers = new GroupNumbers(1 + firstMesh + meshes.size());
+        BodyOrder bodies = BodyOrder.of(scene);
+        GroupNumbers numbers = new GroupNumbers(1 + bodies.firstMesh() + meshes.size());
         if (scene.sky().strength() > 0) {
             numbers.put(Layout.NOTHING, LightGroup.SKY);
         }
         if (scene.rendering().integrator() == Integrator.WHITTED) {
             numbers.put(Layout.PLANE, LightGroup.AMBIENT);
         }
-        numbers.put(Layout.LIGHT, group(scene.lights().first()));
-        for (int index = 0; index < further.size(); index++) {
-            numbers.put(firstLight + index, group(further.get(index)));
+        for (int index = 0; index < scene.lights().count(); index++) {
+            numbers.put(bodies.light(index), group(scene.lights().get(index)));
         }
         for (int index = 0; index < spheres.size(); index++) {
-            putEmitter(numbers, Layout.FIRST_SPHERE + index, spheres.get(index).material());
+            putEmitter(numbers, bodies.sphere(index), spheres.get(index).material());
         }
         for (int index = 0; index < meshes.size(); index++) {
-            putEmitter(numbers, firstMesh + index, meshes.get(index).material());
+            putEmitter(numbers, bodies.firstMesh() + index, meshes.get(index).material());
         }
         return numbers.groups();
     }

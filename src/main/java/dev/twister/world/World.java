@@ -113,8 +113,8 @@ public final class World {
         if (!sameBodies) {
             putPlaces();
         } else {
-            if (scene.lights() != before.lights()) {
-                places.put(scene.lights());
+            if (scene.lights() != before.lights() || changesIntegrator(before)) {
+                places.put(scene.lights(), scene.rendering().integrator());
             }
             if (scene.ground() != before.ground()) {
                 places.put(scene.ground());
@@ -131,6 +131,10 @@ public final class World {
     /** As above, with the images and meshes of this world. */
     public void show(Scene newScene) {
         show(newScene, images, meshes);
+    }
+
+    private boolean changesIntegrator(Scene before) {
+        return scene.rendering().integrator() != before.rendering().integrator();
     }
 
     /** Whether another scene has the same materials on the same bodies, so that it needs no other images. */
@@ -160,6 +164,7 @@ public final class World {
         moved = false;
         places.put(
                 scene.lights(),
+                scene.rendering().integrator(),
                 scene.ground(),
                 scene.allSpheres(),
                 Layout.FIRST_SPHERE + scene.spheres().size(),
@@ -234,12 +239,16 @@ public final class World {
     public void setSettings(Rendering newSettings) {
         requireNonNull(newSettings, "settings").requireInRange();
         Rendering before = scene.rendering();
+        Scene old = scene;
         scene = scene.withRendering(newSettings);
+        if (changesIntegrator(old)) {
+            placeLights();
+        }
         putSamples(before);
     }
 
     /**
-     * Moves the bodies, except meshes and further lights.
+     * Moves the bodies, except meshes and lights after the first.
      *
      * @param positions {@code float[3 * room]}: the centers of the first light, the plane and all spheres, including
      *     those not poured yet, relative to the {@link #origin}, in meters
@@ -253,7 +262,7 @@ public final class World {
 
     /** Puts the lights where the scene has them, after {@link #setBodyPositions} has put the first elsewhere. */
     public void placeLights() {
-        places.put(scene.lights());
+        places.put(scene.lights(), scene.rendering().integrator());
     }
 
     /**
@@ -265,10 +274,13 @@ public final class World {
                 places.floats(),
                 looks.looks(),
                 looks.meshes(),
-                places.room(),
+                places.numbers().room(),
+                places.numbers().firstMesh(),
                 places.end(),
                 places.firstMesh(),
-                looks.materials() | twins.variant(places.floats(), looks.looks(), places.room(), places.present()),
+                looks.materials()
+                        | twins.variant(
+                                places.floats(), looks.looks(), places.numbers().room(), places.present()),
                 origin,
                 places.hierarchy());
         float[] values = values(bodies);
@@ -316,12 +328,13 @@ public final class World {
         values[Layout.ROWS] = settings.height();
         values[Layout.BODIES] = places.present();
         values[Layout.FIRST_MESH] = bodies.firstMesh();
-        values[Layout.ROOT] = bodies.root(places.present());
+        values[Layout.ROOT] = places.root();
+        values[Layout.SHADOW_ROOT] = places.shadowRoot();
         values[Layout.INSTANCES] = bodies.instances();
         values[Layout.MAPS] = bodies.textures();
         values[Layout.CLAMP] = (float) settings.clamp();
         values[Layout.LIGHTS] = scene.lights().count();
-        values[Layout.SECOND_LIGHT] = places.room();
+        values[Layout.LIGHT_TABLE] = looks.lightTable();
         CameraMedia.write(values, bodies, places.present());
         values[Layout.FIRST_SAMPLE] = PixelSamples.first(settings.samplesPerPixel());
         return values;

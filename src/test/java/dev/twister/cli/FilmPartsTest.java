@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
-import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrPicture;
+import dev.twister.image.ExrPicture.ExrChannel;
 import dev.twister.image.ExrReader;
 import dev.twister.image.Frame;
 import dev.twister.render.BandedDrawing;

@@ -2,6 +2,8 @@ package dev.twister.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.image.HdrWriter;
+import dev.twister.image.Provenance;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -61,6 +63,25 @@ class RenderMeshTest {
         for (int pixel = 0; pixel < 32 * 18; pixel++) {
             assertThat(picture.getRGB(pixel % 32, pixel / 32) & 0xFFFFFF).isZero();
         }
+    }
+
+    @Test
+    void theSkyIsNotInTheAutomaticExposure() throws IOException {
+        HdrWriter.write(
+                folder.resolve("white.hdr"), 2, 1, new float[] {1, 1, 1, 1, 1, 1}, new Provenance("", "picture", "1"));
+        Path scene = Files.writeString(folder.resolve("ball.json"), """
+                {"version": 3, "camera": {"position": [0, 0, -10], "yaw": 0, "pitch": 0, "fieldOfView": 30},
+                 "light": {"position": [0, 1000, 0], "radius": 1, "color": [0, 0, 0]}, "skybox": "white.hdr",
+                 "plane": {"size": 1, "height": -5000, "colors": [[0, 0, 0], [0, 0, 0]], "reflectivity": 0},
+                 "shading": {"ambient": 1}, "rendering": {"srgb": true},
+                 "spheres": [{"position": [0, 0, 0], "radius": 2, "color": [0.05, 0.05, 0.05], "reflectivity": 0}]}
+                """);
+        BufferedImage picture = ImageIO.read(
+                render(scene.toString(), "a.png", "--background", "none", "--exposure", "auto", "--samples", "1")
+                        .toFile());
+
+        // Middle gray.
+        assertThat(picture.getRGB(16, 9)).isEqualTo(0xFF767676);
     }
 
     @Test

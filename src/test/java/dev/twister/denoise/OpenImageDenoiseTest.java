@@ -35,7 +35,7 @@ class OpenImageDenoiseTest {
     void removesNoise() {
         NoisyPicture noisy = picture();
         float[] denoised;
-        try (Denoiser denoiser = LibraryProbe.open(library.orElseThrow())) {
+        try (Denoiser denoiser = new OpenImageDenoise(library.orElseThrow())) {
             denoised = denoiser.denoise(noisy);
         }
 
@@ -46,7 +46,7 @@ class OpenImageDenoiseTest {
     void noiseOfGuidesIsRemovedFirst() {
         float[] unguided;
         float[] guided;
-        try (Denoiser denoiser = LibraryProbe.open(library.orElseThrow())) {
+        try (Denoiser denoiser = new OpenImageDenoise(library.orElseThrow())) {
             unguided = denoiser.denoise(picture());
             guided = denoiser.denoise(noisilyGuided());
         }
@@ -59,10 +59,10 @@ class OpenImageDenoiseTest {
         NoisyPicture noisy = noisilyGuided();
         float[] whole;
         float[] banded;
-        try (Denoiser denoiser = LibraryProbe.open(library.orElseThrow())) {
+        try (Denoiser denoiser = new OpenImageDenoise(library.orElseThrow())) {
             whole = denoiser.denoise(noisy);
         }
-        try (Denoiser denoiser = new OpenImageDenoise(new OidnDevice(new OidnFunctions(library.orElseThrow())), 1)) {
+        try (Denoiser denoiser = new OpenImageDenoise(library.orElseThrow(), 120, 1)) {
             banded = denoiser.denoise(noisy);
         }
 
@@ -79,7 +79,7 @@ class OpenImageDenoiseTest {
         NoisyPicture guided =
                 new NoisyPicture(WIDTH, HEIGHT, noisy.radiance(), Optional.of(new NoisyPicture.Guides(plane, plane)));
         float[] denoised;
-        try (Denoiser denoiser = LibraryProbe.open(library.orElseThrow())) {
+        try (Denoiser denoiser = new OpenImageDenoise(library.orElseThrow())) {
             denoised = denoiser.denoise(guided);
         }
 

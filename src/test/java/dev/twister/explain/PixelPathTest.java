@@ -6,7 +6,12 @@ import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
 import dev.twister.engine.JvmEngines;
-import dev.twister.explain.Scattering.LobeChoice;
+import dev.twister.explain.PathStep.FoundLight;
+import dev.twister.explain.PathStep.LightPart;
+import dev.twister.explain.PathStep.LightSample;
+import dev.twister.explain.PathStep.RayKind;
+import dev.twister.explain.PathStep.Scattering.LobeChoice;
+import dev.twister.explain.PathStep.ShadedSurface;
 import dev.twister.kernel.Layout;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.Pictures;

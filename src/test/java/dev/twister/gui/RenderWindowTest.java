@@ -8,7 +8,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.rendering.RenderFormat;
-import dev.twister.image.ExrChannel;
+import dev.twister.image.ExrPicture.ExrChannel;
 import dev.twister.image.ExrReader;
 import dev.twister.image.Frame;
 import dev.twister.scene.Camera;

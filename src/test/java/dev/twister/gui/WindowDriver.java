@@ -58,7 +58,9 @@ public final class WindowDriver implements AutoCloseable {
         for (String heading : settings.get(WindowSettings.FOLDED)) {
             settings = settings.withFolded(heading, false);
         }
-        return settings.with(WindowSettings.HINT_SEEN, true).with(WindowSettings.FRAME_TIMES_SHOWN, true);
+        return settings.with(WindowSettings.HINT_SEEN, true)
+                .with(WindowSettings.DENOISED, false)
+                .with(WindowSettings.FRAME_TIMES_SHOWN, true);
     }
 
     private static final AutosaveFolder NO_AUTOSAVES = new AutosaveFolder(Optional.empty());

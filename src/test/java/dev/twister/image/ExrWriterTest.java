@@ -3,6 +3,7 @@ package dev.twister.image;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.twister.image.ExrPicture.ExrChannel;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;

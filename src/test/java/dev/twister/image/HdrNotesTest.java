@@ -32,7 +32,7 @@ class HdrNotesTest {
 
     @Test
     void tellHowAWholePictureWasMade() throws IOException {
-        assertThat(PictureNotes.of(file, 0, 5)).isEqualTo(Optional.of(MADE));
+        assertThat(Provenance.ofFile(file, 0, 5)).isEqualTo(Optional.of(MADE));
     }
 
     @ParameterizedTest
@@ -41,7 +41,7 @@ class HdrNotesTest {
         String text = Files.readString(file, StandardCharsets.ISO_8859_1).replace("-Y 5 +X 12", line);
         Files.writeString(file, text, StandardCharsets.ISO_8859_1);
 
-        assertThatIOException().isThrownBy(() -> PictureNotes.of(file, 0, 5));
+        assertThatIOException().isThrownBy(() -> Provenance.ofFile(file, 0, 5));
     }
 
     @Test
@@ -49,13 +49,13 @@ class HdrNotesTest {
         byte[] bytes = Files.readAllBytes(file);
         Files.write(file, Arrays.copyOf(bytes, bytes.length - 4));
 
-        assertThatIOException().isThrownBy(() -> PictureNotes.of(file, 0, 5));
+        assertThatIOException().isThrownBy(() -> Provenance.ofFile(file, 0, 5));
     }
 
     @Test
     void filesOfAnotherEndingAreRefused() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> PictureNotes.of(folder.resolve("a.tif"), 0, 5))
+                .isThrownBy(() -> Provenance.ofFile(folder.resolve("a.tif"), 0, 5))
                 .withMessageEndingWith("a.tif does not end in .png, .hdr or .exr");
     }
 }

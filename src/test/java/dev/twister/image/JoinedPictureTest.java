@@ -3,6 +3,8 @@ package dev.twister.image;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import dev.twister.image.ExrPicture.ExrChannel;
+import dev.twister.image.ExrReader.ExrExtent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;

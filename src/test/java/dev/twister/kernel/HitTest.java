@@ -53,7 +53,7 @@ class HitTest {
                 path,
                 new float[Layout.SCRATCH_LENGTH],
                 Paths.frame(BODIES),
-                SphereHierarchy.of(PLACES, BODIES, 1),
+                SphereHierarchy.of(PLACES, BODIES, new int[0], 1),
                 new float[0],
                 new float[0],
                 variant);

@@ -37,7 +37,8 @@ final class Paths {
     static float[] frame(int bodies, float... disc) {
         float[] frame = new float[Layout.DISC + disc.length + Layout.SAMPLE_STRIDE];
         frame[Layout.BODIES] = bodies;
-        frame[Layout.ROOT] = SphereHierarchy.root(bodies, bodies);
+        frame[Layout.ROOT] = SphereHierarchy.root(bodies, bodies, 0);
+        frame[Layout.SHADOW_ROOT] = frame[Layout.ROOT];
         frame[Layout.SHADOW_SAMPLES] = disc.length / 2f;
         frame[Layout.PIXEL_SAMPLES] = 1;
         System.arraycopy(disc, 0, frame, Layout.DISC, disc.length);

@@ -174,7 +174,7 @@ class ShadowTest {
                 own,
                 new float[Layout.SCRATCH_LENGTH],
                 Paths.frame(bodies(places), sunflower(samples)),
-                SphereHierarchy.of(places, bodies(places), mostInLeaf),
+                SphereHierarchy.of(places, bodies(places), new int[0], mostInLeaf),
                 new float[0],
                 new float[0],
                 Variant.WALK);

@@ -30,7 +30,7 @@ class WalkTest {
         int bodies = crowd.bodies();
         int materials = random.nextBoolean() ? Variant.MATERIALS : 0;
         float[] looks = looks(random, bodies, materials);
-        float[] tree = SphereHierarchy.of(crowd.places(), bodies, 1 + random.nextInt(8));
+        float[] tree = SphereHierarchy.of(crowd.places(), bodies, new int[0], 1 + random.nextInt(8));
         float[] frame = Paths.frame(bodies);
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
         for (int count = 0; count < RAYS; count++) {
@@ -55,8 +55,8 @@ class WalkTest {
         int bodies = crowd.bodies();
         int materials = random.nextBoolean() ? Variant.MATERIALS : 0;
         float[] looks = looks(random, bodies, materials);
-        float[] tree = SphereHierarchy.of(crowd.places(), bodies, 1 + random.nextInt(8));
-        float[] oneLeaf = SphereHierarchy.of(crowd.places(), bodies, bodies);
+        float[] tree = SphereHierarchy.of(crowd.places(), bodies, new int[0], 1 + random.nextInt(8));
+        float[] oneLeaf = SphereHierarchy.of(crowd.places(), bodies, new int[0], bodies);
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
         float[] disc = new float[2 * SAMPLES];
         for (int sample = 0; sample < SAMPLES; sample++) {

@@ -99,7 +99,7 @@ final class OracleTracer {
             bodies.add(new SphereBody(
                     vector(sphere.position()), sphere.radius(), OracleMaterial.of(sphere.material(), images)));
         }
-        for (Light light : scene.lights().further()) {
+        for (Light light : scene.lights().list().subList(1, scene.lights().count())) {
             bodies.add(body(light, images));
         }
         int number = bodies.size();

@@ -52,6 +52,8 @@ class RandomMaterialsTest {
         judge.judge(Pictures.argb(VECTOR, tinted), tinted);
     }
 
+    /** Follows from the tests of {@code sequential} here and of lanes against it. */
+    @Tag("slow")
     @Property(seed = "20261127", tries = 100, shrinking = ShrinkingMode.OFF)
     void vectorDrawsWhatTheOracleDraws(@ForAll("fewBounces") LitScene random) {
         judge.judge(Pictures.argb(VECTOR, random), random);

@@ -7,6 +7,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.ShrinkingMode;
+import net.jqwik.api.Tag;
 import net.jqwik.api.lifecycle.AfterProperty;
 
 /**
@@ -50,6 +51,8 @@ class RandomScenesTest {
         judge.judge(PlainPicture.argb(random.scene(), random.sky()), random.scene(), random.sky());
     }
 
+    /** Follows from both against the oracle. */
+    @Tag("slow")
     @Property(seed = "20261121", tries = 100, shrinking = ShrinkingMode.OFF)
     void shortcutsDrawWhatThePlainEquationsDraw(@ForAll("fewBounces") LitScene random) {
         judge.judgeAgainst(

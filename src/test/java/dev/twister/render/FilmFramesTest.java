@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.kernel.Layout;
+import dev.twister.render.RenderOrder.BodyMotion;
+import dev.twister.render.RenderOrder.Movement;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;

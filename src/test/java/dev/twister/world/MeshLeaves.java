@@ -17,6 +17,7 @@ public final class MeshLeaves {
                 bodies.looks(),
                 meshes,
                 bodies.room(),
+                bodies.sphereEnd(),
                 bodies.end(),
                 bodies.firstMesh(),
                 bodies.materials(),

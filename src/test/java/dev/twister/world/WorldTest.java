@@ -73,7 +73,7 @@ class WorldTest {
                         input.bodies().textures(),
                         input.bodies().looks().length))
                 .startsWith(1, 1, 1)
-                .hasSize(Layout.MAPS_STRIDE);
+                .hasSize(Layout.MAPS_STRIDE + 1);
     }
 
     private static float[] places(FrameInput input) {
@@ -95,16 +95,18 @@ class WorldTest {
         assertThat(Arrays.copyOfRange(frame, Layout.FIRST_MESH, Layout.DISC))
                 .containsExactly(
                         Layout.NO_MESHES,
-                        input.bodies().root(4),
+                        input.shadowRoot(),
                         input.bodies().floats().length,
-                        input.bodies().looks().length,
+                        input.bodies().looks().length - 1,
                         10,
                         0,
                         0,
                         0,
                         0,
                         1,
-                        4,
+                        input.bodies().looks().length - 1,
+                        input.shadowRoot(),
+                        0,
                         0,
                         0,
                         0,

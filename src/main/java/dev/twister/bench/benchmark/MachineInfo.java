@@ -2,7 +2,7 @@ package dev.twister.bench.benchmark;
 
 import com.sun.management.OperatingSystemMXBean;
 import dev.twister.engine.Processor;
-import dev.twister.files.SmallFile;
+import dev.twister.files.InputFile;
 import dev.twister.files.TwisterVersion;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -83,7 +83,7 @@ public record MachineInfo(
         private static Optional<String> version(Path release) {
             Properties properties = new Properties();
             try {
-                properties.load(new ByteArrayInputStream(SmallFile.read(release, MOST_BYTES)));
+                properties.load(new ByteArrayInputStream(InputFile.readSmall(release, MOST_BYTES)));
             } catch (IOException | IllegalArgumentException notReadable) {
                 return Optional.empty();
             }

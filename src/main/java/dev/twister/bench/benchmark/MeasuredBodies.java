@@ -1,5 +1,6 @@
 package dev.twister.bench.benchmark;
 
+import dev.twister.bench.benchmark.Measurement.MotionTimes;
 import dev.twister.physics.Simulation;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;

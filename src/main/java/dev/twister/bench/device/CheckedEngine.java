@@ -2,6 +2,7 @@ package dev.twister.bench.device;
 
 import dev.twister.bench.benchmark.BenchmarkReport;
 import dev.twister.bench.benchmark.Measurement;
+import dev.twister.bench.benchmark.PictureComparison;
 import dev.twister.bench.benchmark.Setting;
 import java.util.List;
 import java.util.Optional;
@@ -53,5 +54,14 @@ public record CheckedEngine(
     /** The measurement at a setting; empty if there is none. */
     Optional<Measurement> at(Setting setting) {
         return timed.flatMap(report -> report.find(engine, setting));
+    }
+
+    /** A picture of a check, compared with the reference's. */
+    record CheckedPicture(String name, PictureComparison comparison) {
+        /** Its name and the number of differing pixels. */
+        String difference() {
+            return name + " " + comparison.differingPixels() + " of " + comparison.pixels() + " ("
+                    + comparison.allowedPixels() + " may)";
+        }
     }
 }

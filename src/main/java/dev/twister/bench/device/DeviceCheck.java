@@ -6,6 +6,7 @@ import dev.twister.bench.benchmark.BenchmarkProgress;
 import dev.twister.bench.benchmark.BenchmarkReport;
 import dev.twister.bench.benchmark.EngineFailure;
 import dev.twister.bench.benchmark.PictureComparison;
+import dev.twister.bench.device.CheckedEngine.CheckedPicture;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;

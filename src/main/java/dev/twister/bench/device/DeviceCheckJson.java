@@ -2,6 +2,7 @@ package dev.twister.bench.device;
 
 import dev.twister.bench.ReportNumbers;
 import dev.twister.bench.benchmark.MachineInfo;
+import dev.twister.bench.device.CheckedEngine.CheckedPicture;
 import dev.twister.bench.report.JsonReport;
 import dev.twister.bench.report.ReportFields;
 import java.io.IOException;

@@ -2,10 +2,11 @@ package dev.twister.bench.device;
 
 import dev.twister.bench.ReportNumbers;
 import dev.twister.bench.benchmark.BenchmarkPlan;
-import dev.twister.bench.benchmark.DeviceTimes;
 import dev.twister.bench.benchmark.MachineInfo;
 import dev.twister.bench.benchmark.Measurement;
+import dev.twister.bench.benchmark.Measurement.DeviceTimes;
 import dev.twister.bench.benchmark.Setting;
+import dev.twister.bench.device.CheckedEngine.CheckedPicture;
 import dev.twister.bench.report.ReportTable;
 import dev.twister.engine.EngineOffer;
 import java.util.ArrayList;

@@ -1,6 +1,7 @@
 package dev.twister.bench.figures;
 
 import java.io.IOException;
+import java.io.Writer;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -177,5 +178,16 @@ public final class PaperFigures {
     private static RenderedFigure figure(
             String title, String equation, String sentence, RenderedFigure.Picture... pictures) {
         return new RenderedFigure(title, equation, sentence, List.of(pictures));
+    }
+
+    /** Runs the commands of the paper's figures, such as {@code twister render}, in this process. */
+    @FunctionalInterface
+    public interface FigureCommands {
+        /**
+         * Runs a command; if it fails, throws an exception with its error message.
+         *
+         * @param out receives its standard output
+         */
+        void run(Writer out, List<String> arguments);
     }
 }

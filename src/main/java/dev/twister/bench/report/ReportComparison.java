@@ -1,5 +1,6 @@
 package dev.twister.bench.report;
 
+import dev.twister.bench.report.ReportReader.TimedRow;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -4,6 +4,7 @@ import dev.twister.bench.PublishedFigures;
 import dev.twister.bench.ReportNumbers;
 import dev.twister.bench.page.HtmlText;
 import dev.twister.bench.paper.PaperFolder;
+import dev.twister.bench.results.SharedResults.ResultRow;
 import dev.twister.files.WholeFile;
 import dev.twister.image.PictureSize;
 import java.io.IOException;

@@ -64,4 +64,29 @@ record SharedResults(List<ResultRow> rows, List<String> refused, Map<String, Str
         fps.forEach((key, bySize) -> rows.add(new ResultRow(
                 processor, key.get(0), key.get(1), ReportReader.scene(report), key.get(2), made, log, bySize)));
     }
+
+    /**
+     * What one engine reached on one machine, with one scene and quality.
+     *
+     * @param machine its processor
+     * @param device what the engine ran on
+     * @param quality shadow samples and bounces, or paths per pixel
+     * @param made version of Twister and the day of the measurement
+     * @param log the report's file in the page's folder
+     * @param fps frames per second by size
+     */
+    record ResultRow(
+            String machine,
+            String device,
+            String engine,
+            String scene,
+            String quality,
+            String made,
+            String log,
+            Map<PictureSize, Double> fps) {
+        /** Whether the paper measured the same scene with the same quality. */
+        boolean isOfThePaper() {
+            return scene.equals("benchmark") && quality.equals("1/1");
+        }
+    }
 }

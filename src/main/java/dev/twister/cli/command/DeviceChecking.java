@@ -9,7 +9,7 @@ import dev.twister.bench.device.DeviceCheckTable;
 import dev.twister.cli.file.OutputFile;
 import dev.twister.cli.file.SceneFiles;
 import dev.twister.cli.file.SkyFiles;
-import dev.twister.cli.progress.BenchmarkBar;
+import dev.twister.cli.progress.BenchmarkLine.BenchmarkBar;
 import dev.twister.cli.progress.ProgressLine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.scene.Scene;

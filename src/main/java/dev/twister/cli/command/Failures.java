@@ -7,7 +7,7 @@ import dev.twister.denoise.DenoiseException;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.UnknownEngineException;
 import dev.twister.files.PrintableText;
-import dev.twister.gui.NoDisplayException;
+import dev.twister.gui.Gui.NoDisplayException;
 import dev.twister.mesh.MeshException;
 import dev.twister.scene.SceneException;
 import dev.twister.sky.SkyException;

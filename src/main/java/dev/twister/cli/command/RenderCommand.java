@@ -31,7 +31,6 @@ import dev.twister.film.FilmFile;
 import dev.twister.image.PictureSize;
 import dev.twister.motion.MotionFile;
 import dev.twister.render.Background;
-import dev.twister.render.BlackPictureException;
 import dev.twister.render.ExistingFrames;
 import dev.twister.render.FrameRange;
 import dev.twister.render.PictureFormat;
@@ -39,6 +38,7 @@ import dev.twister.render.RenderOrder;
 import dev.twister.render.RenderOutput;
 import dev.twister.render.RenderResult;
 import dev.twister.render.Renderer;
+import dev.twister.render.Renderer.BlackPictureException;
 import dev.twister.render.Sampling;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Rendering;
@@ -223,7 +223,9 @@ final class RenderCommand implements Callable<Integer> {
         if (mesh.isEmpty() && model.areGiven()) {
             throw new BadInputException("--up, --rotate and --scene are for mesh files, but " + file + " is a scene");
         }
-        Scene scene = sky.over(mesh.isPresent() ? mesh.get().scene() : VisibleBodies.of(SceneFiles.read(file)));
+        Scene scene = mesh.isPresent()
+                ? mesh.get().under(sky.over(mesh.get().scene()).sky())
+                : sky.over(VisibleBodies.of(SceneFiles.read(file)));
         Optional<MotionFile> recorded = film.open(scene);
         try {
             RenderOrder order = order(scene, picture, recorded);

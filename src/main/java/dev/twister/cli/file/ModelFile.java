@@ -11,11 +11,14 @@ import dev.twister.scene.Ground;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Sky;
 import dev.twister.sky.ShippedSky;
+import dev.twister.sky.Skybox;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 
@@ -60,6 +63,16 @@ public record ModelFile(Scene scene, MeshFile content) {
     public ModelFile forPictures() {
         Rendering settings = scene.rendering().withSamplesPerPixel(SAMPLES).withShadowSamples(SHADOW_SAMPLES);
         return new ModelFile(scene.withRendering(settings), content);
+    }
+
+    /** This scene under another sky, which its lamp then fits. */
+    public Scene under(Sky sky) {
+        Scene under = scene.withSky(sky);
+        if (sky.equals(scene.sky())) {
+            return under;
+        }
+        Skybox panorama = SceneImages.read(under.withMeshes(List.of()), _ -> {}).sky();
+        return MeshStage.under(sky.strength() * panorama.lightFromAbove(), under);
     }
 
     /** The same without the plane. */

@@ -4,6 +4,7 @@ import dev.twister.files.PrintableText;
 import dev.twister.render.Background;
 import dev.twister.render.ExistingFrames;
 import dev.twister.render.FrameRange;
+import dev.twister.render.NumberedFiles;
 import dev.twister.render.PictureFormat;
 import dev.twister.render.RenderOutput;
 import dev.twister.world.StageOrView;
@@ -90,5 +91,23 @@ public final class PictureOutput {
         return output.isNumbered()
                 ? first + " to " + PrintableText.line(output.lastFile().toString())
                 : first;
+    }
+
+    /** File names of frames from options. */
+    public static final class FrameNames {
+        private FrameNames() {}
+
+        /**
+         * Names for frames, see {@link NumberedFiles#of}.
+         *
+         * @throws BadInputException if the name is invalid
+         */
+        public static NumberedFiles of(Path file, FrameRange frames) {
+            try {
+                return NumberedFiles.of(file, frames);
+            } catch (IllegalArgumentException problem) {
+                throw new BadInputException("--output is " + file + ", but " + problem.getMessage());
+            }
+        }
     }
 }

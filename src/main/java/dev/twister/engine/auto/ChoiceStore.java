@@ -1,6 +1,6 @@
 package dev.twister.engine.auto;
 
-import dev.twister.files.SmallFile;
+import dev.twister.files.InputFile;
 import dev.twister.files.UserFolder;
 import dev.twister.files.WholeFile;
 import java.io.IOException;
@@ -55,7 +55,7 @@ record ChoiceStore(Optional<Path> folder, Clock clock) {
         }
         Properties properties = new Properties();
         try {
-            byte[] bytes = SmallFile.read(folder.get().resolve(key.fileName()), MOST_BYTES);
+            byte[] bytes = InputFile.readSmall(folder.get().resolve(key.fileName()), MOST_BYTES);
             properties.load(new StringReader(new String(bytes, StandardCharsets.UTF_8)));
         } catch (IOException | IllegalArgumentException _) {
             return Optional.empty();

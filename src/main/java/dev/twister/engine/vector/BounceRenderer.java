@@ -74,7 +74,7 @@ final class BounceRenderer {
             PacketHits.find(rays, drawing, bench.walks);
         } else {
             rise = bench.choices.cull(rays, drawing, bounce, offPlane);
-            if (rise && rays.candidates.count == 0 && !rays.nearMeshes && drawing.lightCount == 1) {
+            if (rise && rays.candidates.count == 0 && !rays.nearMeshes && !drawing.lightSpheres) {
                 HitSorting.sortSkies(rays);
                 return;
             }
@@ -89,8 +89,8 @@ final class BounceRenderer {
         if (!rise) {
             GroundHit.find(rays, drawing);
         }
-        if (drawing.lightCount > 1) {
-            PacketHits.findFurtherLights(rays, drawing);
+        if (drawing.lightSpheres) {
+            PacketHits.findLights(rays, drawing, bench.walks);
         }
         if (rays.nearMeshes) {
             MeshHits.find(drawing, rays, bench.meshes);

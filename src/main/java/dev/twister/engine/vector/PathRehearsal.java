@@ -1,5 +1,6 @@
 package dev.twister.engine.vector;
 
+import dev.twister.engine.ProcessorTime;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
@@ -12,14 +13,17 @@ import java.util.Optional;
  * rehearses, between its tiles, on the paths of the tile that was drawn just before; nothing of that is stored.
  */
 final class PathRehearsal {
-    /** Drawing by packets and the kernel before it, which lets all but long renders have the whole processor. */
-    private static final long FIRST_NANOS = 20_000_000_000L;
+    /**
+     * Processor time of all threads that draw before it, which spares short renders the compiler's work: some 5 seconds
+     * of processor time.
+     */
+    private static final long FIRST_NANOS = 16_000_000_000L;
 
     /** Limit of what is spent at once without drawing. */
-    private static final long MOST_CREDIT_NANOS = 2_000_000_000L;
+    private static final long MOST_CREDIT_NANOS = 1_000_000_000L;
 
     /** The rehearsal gives up after this much of its own time, so that a render loses no more by it. */
-    private static final long MOST_NANOS = 40_000_000_000L;
+    private static final long MOST_NANOS = 20_000_000_000L;
 
     /** A tile's samples that are followed. */
     private static final int MOST_SAMPLES = 4;
@@ -30,11 +34,13 @@ final class PathRehearsal {
     /** Rehearsals that are at most this many times slower go on with more pixels. */
     private static final int NEARLY = 4;
 
+    private final int threads;
     private volatile boolean isOver;
     private Optional<FrameInput> input = Optional.empty();
     private boolean isRunning;
     private int pixels = 2 * Lanes.COUNT;
     private int wins;
+    private long tiles;
     private long kernelNanos;
     private long creditNanos;
     private long spentNanos;
@@ -44,10 +50,18 @@ final class PathRehearsal {
     /**
      * Starts to rehearse, or is over from the start.
      *
+     * @param threads number of threads that draw
      * @param isOver whether made lanes draw from the start
      */
-    PathRehearsal(boolean isOver) {
+    PathRehearsal(int threads, boolean isOver) {
+        this.threads = threads;
         this.isOver = isOver;
+    }
+
+    /** A clock that stands while the thread waits for the compiler or for a processor, where that is known. */
+    static long clockNanos() {
+        long processor = ProcessorTime.ofThisThread();
+        return processor == 0 ? System.nanoTime() : processor;
     }
 
     /** Whether made lanes have been faster than packets and the kernel. */
@@ -58,23 +72,26 @@ final class PathRehearsal {
     /**
      * Goes on, on the thread that rehearses, about as long as a tile was drawn.
      *
-     * @param nanos how long the tile was drawn
+     * @param nanos how long the tile was drawn, by {@link #clockNanos}
      */
     @SuppressWarnings("ReferenceEquality") // inputs are immutable
     void goOn(PathTile paths, Drawing drawing, Tile tile, long nanos) {
+        tiles++;
         kernelNanos += nanos;
         creditNanos = Math.min(creditNanos + nanos, MOST_CREDIT_NANOS);
         if (input.isEmpty() || input.get() != drawing.input) {
             input = Optional.of(drawing.input);
             isRunning = false;
         }
+        // Others may have a part of the code alone, such as the sky.
+        boolean isUsual = nanos * tiles >= kernelNanos;
         boolean isWhole = tile.left + Tile.SIDE <= drawing.width && tile.top + Tile.SIDE <= drawing.rows;
         while (!isOver
                 && !drawing.stop.isAsked()
-                && kernelNanos > FIRST_NANOS
+                && kernelNanos > FIRST_NANOS / threads
                 && creditNanos > 0
                 && allNanos < MOST_NANOS
-                && (isRunning || isWhole)) {
+                && (isRunning || isWhole && isUsual)) {
             if (!isRunning) {
                 int samples = Math.min(MOST_SAMPLES, drawing.pixelSamples);
                 paths.begin(drawing, pixels, samples, false);
@@ -82,9 +99,9 @@ final class PathRehearsal {
                 spentNanos = 0;
                 isRunning = true;
             }
-            long start = System.nanoTime();
+            long start = clockNanos();
             paths.step(drawing);
-            long spent = System.nanoTime() - start;
+            long spent = clockNanos() - start;
             spentNanos += spent;
             allNanos += spent;
             creditNanos -= spent;

@@ -38,6 +38,9 @@ final class StageInlining {
             PACKAGE + "TileRenderer.*",
             PACKAGE + "BounceRenderer.*");
 
+    /** Lanes made of the kernel: a thread that needs them waits until they are compiled. */
+    private static final String MADE = PACKAGE + "made/*.*";
+
     private static final Logger LOGGER = System.getLogger(StageInlining.class.getName());
 
     private StageInlining() {}
@@ -83,6 +86,7 @@ final class StageInlining {
                         ALWAYS.stream().map(methods -> "\"+" + methods + "\""),
                         NEVER.stream().map(methods -> "\"-" + methods + "\""))
                 .collect(Collectors.joining(", "));
-        return "[{match: \"" + PACKAGE + "*.*\", inline: [" + inlining + "]}]";
+        return "[{match: \"" + MADE + "\", BackgroundCompilation: false, inline: [" + inlining + "]}, {match: \""
+                + PACKAGE + "*.*\", inline: [" + inlining + "]}]";
     }
 }

@@ -71,14 +71,14 @@ final class TileRenderer {
         if (rehearsal.isOver()) {
             paths.draw(drawing);
         } else {
-            long start = System.nanoTime();
+            long start = PathRehearsal.clockNanos();
             if (drawing.declined.areKernelPaths()) {
                 bench.handover.drawTile(tile, drawing);
             } else {
                 packetPaths.draw(drawing);
             }
             if (rehearses) {
-                rehearsal.goOn(paths, drawing, tile, System.nanoTime() - start);
+                rehearsal.goOn(paths, drawing, tile, PathRehearsal.clockNanos() - start);
             }
         }
     }

@@ -46,7 +46,7 @@ public final class VectorEngines implements EngineProvider {
         return new VectorEngine(
                 threads,
                 new HierarchyChoice(VectorEngine.CROWD, SmallRehearsal::of),
-                new PathRehearsal(false),
+                new PathRehearsal(threads, false),
                 new Drawing());
     }
 
@@ -67,7 +67,7 @@ public final class VectorEngines implements EngineProvider {
 
     private static Engine open(int threads, int crowd, Drawing drawing) {
         return new VectorEngine(
-                threads, new HierarchyChoice(crowd, _ -> new Unrehearsed()), new PathRehearsal(true), drawing);
+                threads, new HierarchyChoice(crowd, _ -> new Unrehearsed()), new PathRehearsal(threads, true), drawing);
     }
 
     /** Renders small frames of many or few spheres on its own thread until the frame time settles. */

@@ -1,16 +1,26 @@
 package dev.twister.gui.drawing;
 
 import dev.twister.gui.drawing.DrawingRequest.Motion;
+import dev.twister.physics.Simulation;
+import dev.twister.scene.Geometry;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
+import dev.twister.sky.TextureImage;
+import dev.twister.sky.TextureReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 
 /**
  * The world of the scene that is being drawn. What does not change from one snapshot to the next stays the same array,
@@ -116,5 +126,138 @@ final class CurrentWorld implements AutoCloseable {
             complaint = Optional.of(file + ": there is not enough memory for this sky");
         }
         return false;
+    }
+
+    /**
+     * Moves a scene's bodies by the time between pictures. After an edit they go on as {@link Simulation#goOnIn} says.
+     * Used only by the drawing thread.
+     */
+    private static final class MovingBodies implements AutoCloseable {
+        private static final double NANOS_PER_SECOND = 1e9;
+
+        /**
+         * If a picture takes longer, bodies move more slowly; otherwise the steps to compute would grow without end.
+         */
+        private static final double LONGEST_SECONDS = 0.1;
+
+        private Optional<Simulation> simulation = Optional.empty();
+        private Optional<Scene> seen = Optional.empty();
+        private long start = Motion.NONE.start();
+        private long steps;
+        private long lastNanos;
+        private boolean wasRunning;
+
+        /** Simulates the time that has passed, and updates the places of the world's bodies. */
+        void place(Scene wanted, Motion motion, World world, long nanos) {
+            if (!motion.isOn()) {
+                close();
+                return;
+            }
+            Scene scene = world.meshes().shown(wanted);
+            boolean moved = !world.isMoved();
+            if (start != motion.start()) {
+                simulation.ifPresent(Simulation::close);
+                simulation = Optional.of(Simulation.of(scene, world.meshes()));
+                moved = true;
+                start = motion.start();
+                steps = 0;
+                wasRunning = false;
+            } else if (!seen.equals(Optional.of(scene))) {
+                simulation = simulation.map(old -> old.goOnIn(scene, world.meshes()));
+                moved = true;
+            }
+            seen = Optional.of(scene);
+            Simulation now = simulation.orElseThrow();
+            if (motion.running() && wasRunning) {
+                now.advance(Math.clamp((nanos - lastNanos) / NANOS_PER_SECOND, 0, LONGEST_SECONDS));
+                moved = true;
+            }
+            for (; steps < motion.steps(); steps++) {
+                now.stepOnce();
+                moved = true;
+            }
+            lastNanos = nanos;
+            wasRunning = motion.running();
+            if (moved) {
+                now.place(world);
+            }
+        }
+
+        /** Ends the motion. */
+        @Override
+        public void close() {
+            simulation.ifPresent(Simulation::close);
+            simulation = Optional.empty();
+            seen = Optional.empty();
+            start = Motion.NONE.start();
+        }
+    }
+
+    /** The textures of the scene that is drawn. Used only by the drawing thread. */
+    static final class CurrentTextures {
+        private final ImageCache images;
+        private final Supplier<Optional<Scene>> newest;
+        private final Map<Path, String> complaints = new TreeMap<>();
+        private Map<Path, TextureImage> held = Map.of();
+        private long edition;
+
+        /** @param newest the scene of the newest request; empty if there is none */
+        CurrentTextures(ImageCache images, Supplier<Optional<Scene>> newest) {
+            this.images = images;
+            this.newest = newest;
+        }
+
+        /** Whether files may have changed since {@link #of} was called. */
+        boolean areOld() {
+            return edition != images.texturesEdition();
+        }
+
+        /** The textures of a scene and its meshes by their files; white if a file cannot be read. */
+        Map<Path, TextureImage> of(Scene scene, SceneMeshes meshes) {
+            if (areOld()) {
+                edition = images.texturesEdition();
+                held = Map.of();
+            }
+            Map<Path, TextureImage> before = held;
+            held = SceneImages.textures(
+                    scene,
+                    meshes,
+                    file -> Optional.ofNullable(before.get(file)).orElseGet(() -> read(file, scene, meshes)),
+                    images::warn);
+            complaints.keySet().retainAll(held.keySet());
+            return held;
+        }
+
+        /** Why textures are not shown. */
+        Optional<String> complaint() {
+            return Optional.of(String.join("; ", complaints.values())).filter(all -> !all.isEmpty());
+        }
+
+        private TextureImage read(Path file, Scene scene, SceneMeshes meshes) {
+            complaints.remove(file);
+            try {
+                return meshes.embeddedImage(file)
+                        .map(bytes -> TextureReader.read(file, bytes, images::warn))
+                        .orElseGet(() -> images.texture(file, () -> isWanted(file, scene)));
+            } catch (SkyException problem) {
+                complaints.put(file, problem.getMessage());
+            } catch (OutOfMemoryError _) {
+                complaints.put(file, file + ": there is not enough memory for this texture");
+            }
+            return SceneImages.WHITE;
+        }
+
+        /** Whether the newest scene, or one of its meshes that have stayed the same, uses the texture. */
+        private boolean isWanted(Path file, Scene scene) {
+            return newest.get()
+                    .filter(now -> TexturePlaces.of(scene).containsKey(file)
+                            ? TexturePlaces.of(now).containsKey(file)
+                            : meshFiles(now).containsAll(meshFiles(scene)))
+                    .isPresent();
+        }
+
+        private static Set<Geometry> meshFiles(Scene scene) {
+            return scene.meshes().stream().map(Mesh::geometry).collect(Collectors.toSet());
+        }
     }
 }

@@ -1,8 +1,10 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.denoise.GuidedFilter;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
+import dev.twister.world.TonedPixels;
 import java.nio.IntBuffer;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -47,13 +49,15 @@ final class Preview {
      *
      * @param input of the small size, with one sample per pixel
      * @param continuous whether one sample is enough, because the next picture shows another moment
+     * @param denoised whether it is shown without its noise
      */
-    static Preview gathering(FrameInput input, boolean continuous, long startNanos) {
+    static Preview gathering(FrameInput input, boolean continuous, boolean denoised, long startNanos) {
         int most = continuous ? 1 : MOST_SAMPLES;
+        FrameInput wanted = denoised ? input.withGuides() : input;
         return new Preview(
-                input,
-                Optional.of(new RefinedPicture(input.width(), input.height(), most, false)),
-                Frame.ofRadiance(input.width(), input.height()),
+                wanted,
+                Optional.of(new RefinedPicture(input.width(), input.height(), most, denoised)),
+                Frame.ofRadiance(input.width(), input.height(), wanted.layers()),
                 startNanos);
     }
 
@@ -100,7 +104,13 @@ final class Preview {
         RefinedPicture picture = gathered.get();
         engine.render(picture.next(input, 1), pass);
         picture.add(pass, 1);
-        picture.show(input, IntBuffer.wrap(shown.argb()));
+        if (picture.guidedSamples() > 0) {
+            try (GuidedFilter filter = new GuidedFilter()) {
+                TonedPixels.write(filter.denoise(picture.noisy()), input, shown.argb());
+            }
+        } else {
+            picture.show(input, IntBuffer.wrap(shown.argb()));
+        }
         shown.setTimes(pass.times());
     }
 }

@@ -227,6 +227,15 @@ final class ProgressiveRenderer implements AutoCloseable {
             drawPreview(wanted, engine, preview.orElseThrow());
             return true;
         }
+        if (!drawn
+                && preview.isPresent()
+                && !wanted.isContinuous()
+                && denoiser(wanted).isPresent()) {
+            // The small picture stays until the full one has no noise either.
+            drawn = true;
+            coarseness = 1;
+            return true;
+        }
         if (!drawn || (wanted.isContinuous() && !opening)) {
             if (drawPlain(wanted, engine, input, drawn && !wanted.motion().running())) {
                 drawn = true;
@@ -258,7 +267,10 @@ final class ProgressiveRenderer implements AutoCloseable {
         FrameInput small = coarse(divisor);
         long start = clock.getAsLong();
         boolean gathers = input.tracesPaths() && wanted.shown() == StageOrView.BEAUTY && watcher.isEmpty();
-        Preview drawing = gathers ? Preview.gathering(small, wanted.isContinuous(), start) : Preview.once(small);
+        Preview drawing = gathers
+                ? Preview.gathering(
+                        small, wanted.isContinuous(), denoiser(wanted).isPresent(), start)
+                : Preview.once(small);
         preview = Optional.of(drawing);
         drawPreview(wanted, engine, drawing);
         if (unknown || isPreview(wanted)) {
@@ -369,9 +381,9 @@ final class ProgressiveRenderer implements AutoCloseable {
         }
         picture.add(linear, samples);
         boolean last = isDone(picture, wanted);
-        // Its noise would come back for a moment.
-        boolean clean = clean(wanted).isPresent();
-        if (last || (!clean && picture.samples() >= fewestRefined() && isToBeSeen())) {
+        // Its noise would be seen for a moment.
+        boolean cleans = denoiser.isPresent() && denoising.failure().isEmpty();
+        if (last || (!cleans && picture.samples() >= fewestRefined() && isToBeSeen())) {
             showRefined(wanted, engine);
         } else {
             pictures++;

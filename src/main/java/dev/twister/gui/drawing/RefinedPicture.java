@@ -230,7 +230,22 @@ public final class RefinedPicture {
                 width,
                 height,
                 new Plane(radiance(), 0),
-                Optional.of(new NoisyPicture.Guides(new Plane(guides, 0), new Plane(guides, sums.length))));
+                Optional.of(new NoisyPicture.Guides(new Plane(guides, 0), new Plane(guides, sums.length))),
+                noise());
+    }
+
+    /** The difference of the two halves, as far from 0 as the picture is from its limit; empty before the second. */
+    private Optional<NoisyPicture.Noise> noise() {
+        if (otherSamples == 0) {
+            return Optional.empty();
+        }
+        int firstSamples = samples - otherSamples;
+        float scale = (float) Math.sqrt((double) firstSamples * otherSamples) / samples;
+        float[] difference = new float[sums.length];
+        for (int i = 0; i < difference.length; i++) {
+            difference[i] = scale * (sums[i] / firstSamples - otherSums[i] / otherSamples);
+        }
+        return Optional.of(new NoisyPicture.Noise(new Plane(difference, 0), samples));
     }
 
     private float sum(int value) {

@@ -66,9 +66,7 @@ public final class BodyNumber {
      */
     public static int inScene(int pictured, FrameInput input, Scene scene, SceneMeshes meshes) {
         if (input.isLight(pictured)) {
-            return pictured == LIGHT
-                    ? LIGHT
-                    : ofLight(1 + pictured - input.bodies().room());
+            return ofLight(input.lightIndex(pictured));
         }
         int firstMesh = input.bodies().firstMesh();
         if (firstMesh == Layout.NO_MESHES || pictured < firstMesh) {

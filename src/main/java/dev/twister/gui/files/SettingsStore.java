@@ -1,6 +1,6 @@
 package dev.twister.gui.files;
 
-import dev.twister.files.SmallFile;
+import dev.twister.files.InputFile;
 import dev.twister.files.UserFolder;
 import dev.twister.files.WholeFile;
 import java.io.IOException;
@@ -73,7 +73,7 @@ public record SettingsStore(Optional<Path> folder) {
     }
 
     private static WindowSettings parse(Path file) throws IOException {
-        JsonNode found = JSON.readTree(SmallFile.read(file, MAX_BYTES));
+        JsonNode found = JSON.readTree(InputFile.readSmall(file, MAX_BYTES));
         if (!(found instanceof ObjectNode fields)) {
             throw new IOException("not an object");
         }

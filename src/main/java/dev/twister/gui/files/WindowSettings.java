@@ -75,6 +75,9 @@ public record WindowSettings(Map<String, Object> values) {
     public static final Key<List<String>> FOLDED =
             texts("folded", MAX_SECTIONS, List.of("Camera", "Views", "Light", "Sky", "Plane", "Physics", "Compare"));
 
+    /** Whether path-traced pictures are shown without their noise. */
+    public static final Key<Boolean> DENOISED = flag("denoised", true);
+
     /** Whether the hint of the first start has been seen. */
     public static final Key<Boolean> HINT_SEEN = flag("hintSeen", false);
 
@@ -95,6 +98,7 @@ public record WindowSettings(Map<String, Object> values) {
             PANEL_WINDOW_HEIGHT,
             AXIS_HANDLES,
             FOLDED,
+            DENOISED,
             HINT_SEEN);
 
     public static final WindowSettings DEFAULT = new WindowSettings(Map.of());

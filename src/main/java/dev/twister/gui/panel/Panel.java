@@ -237,7 +237,6 @@ public final class Panel extends ScrollPane {
         studio.setShown(StageOrView.BEAUTY);
         studio.refiningProperty().set(true);
         studio.noiseGoalProperty().set(0.0);
-        studio.denoiserProperty().set(Optional.empty());
         if (!studio.engineProperty().get().offer().id().equals(usualEngine)) {
             engines.find(usualEngine).ifPresent(studio::chooseEngine);
         }

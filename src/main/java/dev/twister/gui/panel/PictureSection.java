@@ -1,18 +1,15 @@
 package dev.twister.gui.panel;
 
-import dev.twister.denoise.DenoiserOffer;
-import dev.twister.denoise.Denoisers;
 import dev.twister.gui.controls.Command;
-import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.drawing.RefinementGoal;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.studio.BackgroundTasks;
+import dev.twister.gui.studio.Denoising;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import dev.twister.scene.property.Property;
 import dev.twister.scene.property.SceneProperties;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
 
@@ -77,7 +74,7 @@ final class PictureSection {
                     studio::notice);
             denoise = new SwitchRow(
                     "Denoise",
-                    "With path tracing: remove the noise of a picture at rest by Open Image Denoise.",
+                    "With path tracing: remove the noise, by Open Image Denoise where it is installed, else by a filter.",
                     "",
                     this::setDenoising);
             studio.noiseGoalProperty()
@@ -91,17 +88,10 @@ final class PictureSection {
 
         private void setDenoising(boolean on) {
             if (on) {
-                // Off until the library is found, which takes some 0.5 s.
-                tasks.run(Denoisers::offer, this::use, problem -> studio.notice(Dialogs.explain(problem)));
+                Denoising.start(studio, tasks, studio::notice);
             } else {
-                studio.denoiserProperty().set(Optional.empty());
+                Denoising.stop(studio);
             }
-        }
-
-        private void use(DenoiserOffer offer) {
-            studio.denoiserProperty().set(Optional.of(offer).filter(DenoiserOffer::works));
-            denoise.show(offer.works(), false);
-            offer.obstacle().ifPresent(studio::notice);
         }
     }
 }

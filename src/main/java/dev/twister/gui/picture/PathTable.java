@@ -1,11 +1,11 @@
 package dev.twister.gui.picture;
 
-import dev.twister.explain.FoundLight;
-import dev.twister.explain.LightPart;
 import dev.twister.explain.PathStep;
+import dev.twister.explain.PathStep.FoundLight;
+import dev.twister.explain.PathStep.LightPart;
+import dev.twister.explain.PathStep.Scattering;
+import dev.twister.explain.PathStep.ShadedSurface;
 import dev.twister.explain.PixelPath;
-import dev.twister.explain.Scattering;
-import dev.twister.explain.ShadedSurface;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.scene.Rgb;
 import java.util.List;

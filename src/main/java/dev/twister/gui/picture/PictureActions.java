@@ -6,7 +6,7 @@ import dev.twister.gui.files.FileChoice;
 import dev.twister.gui.files.FileNames;
 import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
-import dev.twister.image.ExrChannel;
+import dev.twister.image.ExrPicture.ExrChannel;
 import dev.twister.image.ExrWriter;
 import dev.twister.image.Frame;
 import dev.twister.image.HdrWriter;

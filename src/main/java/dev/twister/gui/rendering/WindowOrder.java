@@ -2,13 +2,13 @@ package dev.twister.gui.rendering;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.render.Background;
-import dev.twister.render.BodyMotion;
 import dev.twister.render.ExistingFrames;
 import dev.twister.render.Finishing;
 import dev.twister.render.FrameRange;
-import dev.twister.render.Movement;
 import dev.twister.render.PicturePart;
 import dev.twister.render.RenderOrder;
+import dev.twister.render.RenderOrder.BodyMotion;
+import dev.twister.render.RenderOrder.Movement;
 import dev.twister.render.RenderOutput;
 import dev.twister.render.Sampling;
 import dev.twister.scene.Scene;

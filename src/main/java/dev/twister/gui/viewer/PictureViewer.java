@@ -48,7 +48,8 @@ public final class PictureViewer {
         Stage stage = new Stage();
         stage.initOwner(owner);
         OwnedWindows.center(stage, owner);
-        stage.setTitle(file.getFileName() + " – Twister");
+        stage.setTitle(
+                file.getFileName() + picture.part().map(part -> ", " + part).orElse("") + " – Twister");
         ViewerPane pane = new ViewerPane(
                 picture, tasks, () -> studio.pictureProperty().get().map(shown -> ShownRadiance.of(studio, shown)));
         Scene scene = new Scene(pane, WIDTH, HEIGHT);

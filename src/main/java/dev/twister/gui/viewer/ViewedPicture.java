@@ -6,10 +6,10 @@ import dev.twister.denoise.Denoisers;
 import dev.twister.denoise.NoisyPicture;
 import dev.twister.denoise.NoisyPicture.Guides;
 import dev.twister.denoise.Plane;
-import dev.twister.image.ExrExtent;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
-import dev.twister.image.PictureNotes;
+import dev.twister.image.ExrReader.ExrExtent;
+import dev.twister.image.Provenance;
 import dev.twister.render.DenoisedPicture;
 import dev.twister.render.FileDisplay;
 import dev.twister.render.PictureFormat;
@@ -32,6 +32,7 @@ import java.util.Optional;
  * @param lights its light layers; none if the file has none
  * @param guides of denoising, if the file has them
  * @param clean the radiance without noise, if the file has it
+ * @param part which part of the file it is, if there are several
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 public record ViewedPicture(
@@ -41,7 +42,8 @@ public record ViewedPicture(
         Rendering display,
         List<Light> lights,
         Optional<Guides> guides,
-        Optional<float[]> clean) {
+        Optional<float[]> clean,
+        Optional<String> part) {
     private static final int CHANNELS = 3;
     private static final Rgb UNCHANGED = new Rgb(1, 1, 1);
 
@@ -68,9 +70,10 @@ public record ViewedPicture(
                     image.radiance(),
                     FileDisplay.settings(
                             PictureFormat.of(file).equals(Optional.of(PictureFormat.HDR))
-                                    ? PictureNotes.of(file, 0, image.height())
+                                    ? Provenance.ofFile(file, 0, image.height())
                                     : Optional.empty()),
                     List.of(),
+                    Optional.empty(),
                     Optional.empty(),
                     Optional.empty());
         }
@@ -94,7 +97,8 @@ public record ViewedPicture(
                 FileDisplay.settings(picture.provenance()),
                 List.copyOf(lights),
                 DenoisedPicture.guides(picture),
-                noisy.map(_ -> colors));
+                noisy.map(_ -> colors),
+                ExrReader.part(file));
     }
 
     /**

@@ -1,9 +1,9 @@
 package dev.twister.mesh.gltf;
 
 import dev.twister.mesh.Affine;
-import dev.twister.mesh.FileCamera;
-import dev.twister.mesh.FileLight;
 import dev.twister.mesh.FileSurroundings;
+import dev.twister.mesh.FileSurroundings.FileCamera;
+import dev.twister.mesh.FileSurroundings.FileLight;
 import dev.twister.mesh.input.MeshLimits;
 import dev.twister.mesh.input.QuotedText;
 import dev.twister.mesh.input.Warnings;

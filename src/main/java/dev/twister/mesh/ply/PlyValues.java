@@ -3,6 +3,7 @@ package dev.twister.mesh.ply;
 import dev.twister.mesh.MeshException;
 import dev.twister.mesh.input.Bytes;
 import dev.twister.mesh.input.TextCursor;
+import dev.twister.mesh.ply.PlyHeader.PlyType;
 import java.io.IOException;
 import java.nio.ByteOrder;
 

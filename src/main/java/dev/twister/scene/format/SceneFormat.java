@@ -332,7 +332,8 @@ final class SceneFormat {
 
     Structure<Pour> pour() {
         return structure(
-                Pour.DEFAULT, List.of(POUR, within(uncolored, Pour::material, Pour::withMaterial), List.of(POUR_SEED)));
+                Pour.DEFAULT.withMaterial(Material.DEFAULT),
+                List.of(POUR, within(uncolored, Pour::material, Pour::withMaterial), List.of(POUR_SEED)));
     }
 
     @SuppressWarnings("unchecked") // the metallic part is a number

@@ -32,11 +32,6 @@ public record Lights(List<Light> list) {
         return list.size();
     }
 
-    /** The lights after the first. */
-    public List<Light> further() {
-        return list.subList(1, list.size());
-    }
-
     /** With another light at an index. */
     public Lights with(int index, Light light) {
         List<Light> changed = new ArrayList<>(list);

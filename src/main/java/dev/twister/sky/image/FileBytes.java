@@ -1,6 +1,7 @@
 package dev.twister.sky.image;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.util.Optional;
@@ -103,5 +104,86 @@ public final class FileBytes {
         }
         windowStart = position;
         windowLength = target.position();
+    }
+
+    /** A file that became shorter while it was read; a class of its own, as decoders wrap what their input throws. */
+    static final class FileChangedException extends IOException {
+        private static final long serialVersionUID = 1L;
+
+        FileChangedException() {
+            super("the file was changed while it was read; try again");
+        }
+    }
+
+    /** A piece of a file as the stream that ImageIO wants. */
+    static final class FileRange extends InputStream {
+        private final FileBytes file;
+        private final long end;
+        private long position;
+
+        /** The bytes from {@code start} on that lie before {@code end}. */
+        FileRange(FileBytes file, long start, long end) {
+            this.file = file;
+            this.position = start;
+            this.end = end;
+        }
+
+        @Override
+        public int read() throws IOException {
+            return position < end ? file.at(position++) : -1;
+        }
+
+        @Override
+        public int read(byte[] target, int offset, int length) throws IOException {
+            if (length == 0) {
+                return 0;
+            }
+            if (position >= end) {
+                return -1;
+            }
+            int count = (int) Math.min(length, end - position);
+            file.copy(position, target, offset, count);
+            position += count;
+            return count;
+        }
+    }
+
+    /** A place in a file from which bytes are taken one after the other. */
+    public static final class FileCursor {
+        private final FileBytes file;
+        private long position;
+
+        public FileCursor(FileBytes file) {
+            this(file, 0);
+        }
+
+        private FileCursor(FileBytes file, long position) {
+            this.file = file;
+            this.position = position;
+        }
+
+        /** Another cursor at the same place. */
+        public FileCursor copy() {
+            return new FileCursor(file, position);
+        }
+
+        public long position() {
+            return position;
+        }
+
+        public long remaining() {
+            return file.length() - position;
+        }
+
+        /** The next byte, 0 to 255; there must be one. */
+        public int next() throws IOException {
+            return file.at(position++);
+        }
+
+        /** Takes that number of bytes, which must be left. */
+        public void next(byte[] target, int offset, int count) throws IOException {
+            file.copy(position, target, offset, count);
+            position += count;
+        }
     }
 }

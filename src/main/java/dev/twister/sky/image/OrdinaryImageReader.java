@@ -1,6 +1,7 @@
 package dev.twister.sky.image;
 
 import dev.twister.sky.SkyboxLimits;
+import dev.twister.sky.image.FileBytes.FileChangedException;
 import dev.twister.sky.radiance.RadianceHeader;
 import java.awt.image.BufferedImage;
 import java.io.IOException;

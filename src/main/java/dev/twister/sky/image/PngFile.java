@@ -2,6 +2,7 @@ package dev.twister.sky.image;
 
 import dev.twister.files.Deflate;
 import dev.twister.sky.SkyboxLimits;
+import dev.twister.sky.image.FileBytes.FileRange;
 import dev.twister.sky.radiance.RadianceHeader;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;

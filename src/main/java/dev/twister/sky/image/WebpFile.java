@@ -2,7 +2,7 @@ package dev.twister.sky.image;
 
 import dev.twister.sky.SkyboxLimits;
 import dev.twister.sky.webp.WebpContainer;
-import dev.twister.sky.webp.WebpImage;
+import dev.twister.sky.webp.WebpContainer.WebpImage;
 import java.awt.Point;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;

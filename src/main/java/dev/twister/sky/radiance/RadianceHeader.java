@@ -2,7 +2,7 @@ package dev.twister.sky.radiance;
 
 import dev.twister.sky.SkyboxLimits;
 import dev.twister.sky.image.FileBytes;
-import dev.twister.sky.image.FileCursor;
+import dev.twister.sky.image.FileBytes.FileCursor;
 import dev.twister.sky.image.Primaries;
 import dev.twister.sky.image.ScanOrder;
 import java.io.IOException;

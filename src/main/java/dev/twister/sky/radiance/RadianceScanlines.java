@@ -1,6 +1,6 @@
 package dev.twister.sky.radiance;
 
-import dev.twister.sky.image.FileCursor;
+import dev.twister.sky.image.FileBytes.FileCursor;
 import java.io.IOException;
 
 /**

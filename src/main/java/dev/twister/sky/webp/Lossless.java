@@ -1,5 +1,9 @@
 package dev.twister.sky.webp;
 
+import dev.twister.sky.webp.LosslessTransform.ColorIndexing;
+import dev.twister.sky.webp.LosslessTransform.CrossColor;
+import dev.twister.sky.webp.LosslessTransform.LosslessPrediction;
+import dev.twister.sky.webp.WebpContainer.WebpImage;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;

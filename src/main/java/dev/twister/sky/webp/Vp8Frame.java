@@ -1,5 +1,6 @@
 package dev.twister.sky.webp;
 
+import dev.twister.sky.webp.Vp8Plane.Vp8Colors;
 import java.io.IOException;
 import java.util.Arrays;
 

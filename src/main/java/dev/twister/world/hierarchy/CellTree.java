@@ -50,8 +50,9 @@ final class CellTree extends RecursiveAction {
      *
      * @param start place of the first sphere
      * @param root place of the root, after the spheres
+     * @param room place of the reserved room for the other nodes
      */
-    CellTree(SphereCells cells, float[] hierarchy, int start, int root, int mostInLeaf) {
+    CellTree(SphereCells cells, float[] hierarchy, int start, int root, int room, int mostInLeaf) {
         this(
                 cells,
                 IntStream.range(0, cells.count)
@@ -59,7 +60,7 @@ final class CellTree extends RecursiveAction {
                         .toArray(),
                 hierarchy,
                 root,
-                root + Layout.NODE_STRIDE,
+                room,
                 0,
                 -1,
                 start,

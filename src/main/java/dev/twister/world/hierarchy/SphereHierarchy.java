@@ -25,83 +25,138 @@ public final class SphereHierarchy {
     /** From this number of spheres on, the upper levels are split by cells. */
     private static final int FEWEST_FOR_CELLS = 4096;
 
+    private static final int[] NO_LIGHTS = {};
+
+    /** Of the box around all, for the rounding of its own sides. */
+    private static final float GROWTH = 1 + 0x1p-20f;
+
     private SphereHierarchy() {}
 
     /**
-     * {@link Bodies#floats} without meshes: the places, then a new hierarchy over the present spheres. For few spheres
-     * it is a single leaf, and its traversal is a loop over all spheres.
+     * {@link Bodies#floats} without meshes and lights after the first: the places, then a new hierarchy over the
+     * present spheres. For few spheres it is a single leaf, and its traversal is a loop over all spheres.
      *
      * @param places {@link Layout#PLACE_STRIDE} floats for each body
      * @param bodies number of present bodies, including light and plane
      */
     public static float[] of(float[] places, int bodies) {
-        return of(places, bodies, places.length / Layout.PLACE_STRIDE, new float[0]);
+        return of(places, bodies, NO_LIGHTS, leaves(bodies), places.length / Layout.PLACE_STRIDE, new float[0]);
     }
 
     /**
-     * As above, followed by the meshes' hierarchy.
+     * As above, with lights, followed by the meshes' hierarchy.
      *
-     * @param room maximum number of bodies without meshes
+     * @param lights the bodies of lights, other than the first body, that are spheres
+     * @param end one more than the highest number of a sphere, present or not, lights included
      * @param instances the array of {@link InstanceTable}
      */
-    public static float[] of(float[] places, int bodies, int room, float[] instances) {
-        int spheres = bodies - Layout.FIRST_SPHERE;
-        int end = places.length + Layout.spheresLength(room);
-        float[] floats = Arrays.copyOf(places, end + instances.length);
-        System.arraycopy(instances, 0, floats, end, instances.length);
-        fill(floats, places.length, bodies, spheres < FEWEST_SPHERES ? FEWEST_SPHERES : MOST_IN_LEAF);
-        return floats;
+    public static float[] of(float[] places, int bodies, int[] lights, int end, float[] instances) {
+        return of(places, bodies, lights, leaves(bodies), end, instances);
     }
 
     /**
-     * An array of {@link #of} with the same hierarchy over the spheres, but other places of the other bodies.
-     *
-     * @param floats the array, of as many bodies
-     */
-    public static float[] kept(float[] floats, float[] places, int room, float[] instances) {
-        int end = places.length + Layout.spheresLength(room);
-        float[] changed = Arrays.copyOf(floats, end + instances.length);
-        int spheres = Layout.PLACE_STRIDE * room;
-        System.arraycopy(places, 0, changed, 0, Layout.PLACE_STRIDE * Layout.FIRST_SPHERE);
-        System.arraycopy(places, spheres, changed, spheres, places.length - spheres);
-        System.arraycopy(instances, 0, changed, end, instances.length);
-        return changed;
-    }
-
-    /**
-     * As the first, with another size of the leaves.
+     * As the first, with lights and another size of the leaves.
      *
      * @param mostInLeaf largest number of spheres per leaf, at least 1
      */
-    public static float[] of(float[] places, int bodies, int mostInLeaf) {
-        int room = places.length / Layout.PLACE_STRIDE;
-        float[] floats = Arrays.copyOf(places, places.length + Layout.spheresLength(room));
-        fill(floats, places.length, bodies, mostInLeaf);
+    public static float[] of(float[] places, int bodies, int[] lights, int mostInLeaf) {
+        return of(places, bodies, lights, mostInLeaf, places.length / Layout.PLACE_STRIDE, new float[0]);
+    }
+
+    private static float[] of(float[] places, int bodies, int[] lights, int mostInLeaf, int end, float[] instances) {
+        int behind = places.length + Layout.spheresLength(end - Layout.FIRST_SPHERE);
+        float[] floats = Arrays.copyOf(places, behind + instances.length);
+        System.arraycopy(instances, 0, floats, behind, instances.length);
+        fill(floats, places.length, bodies, lights, mostInLeaf);
+        addLights(floats, places.length, bodies, lights);
         return floats;
     }
 
     /**
-     * Place of the root.
+     * An array of {@link #of} with the same hierarchy over the spheres without lights, but other places of the other
+     * bodies.
+     *
+     * @param floats the array, with as many bodies and lights
+     */
+    public static float[] kept(
+            float[] floats, float[] places, int bodies, int[] lights, int room, int end, float[] instances) {
+        int behind = places.length + Layout.spheresLength(end - Layout.FIRST_SPHERE);
+        float[] changed = Arrays.copyOf(floats, behind + instances.length);
+        int spheres = Layout.PLACE_STRIDE * room;
+        System.arraycopy(places, 0, changed, 0, Layout.PLACE_STRIDE * Layout.FIRST_SPHERE);
+        System.arraycopy(places, spheres, changed, spheres, places.length - spheres);
+        System.arraycopy(instances, 0, changed, behind, instances.length);
+        addLights(changed, places.length, bodies, lights);
+        return changed;
+    }
+
+    private static int leaves(int bodies) {
+        return bodies - Layout.FIRST_SPHERE < FEWEST_SPHERES ? FEWEST_SPHERES : MOST_IN_LEAF;
+    }
+
+    /**
+     * Place of the root over all spheres.
      *
      * @param end number of places
      * @param bodies number of present bodies, including light and plane
+     * @param lights number of lights that are among the spheres
      */
-    public static int root(int end, int bodies) {
-        return Layout.PLACE_STRIDE * end + Layout.SPHERE_STRIDE * (bodies - Layout.FIRST_SPHERE);
+    public static int root(int end, int bodies, int lights) {
+        return Layout.PLACE_STRIDE * end + Layout.SPHERE_STRIDE * (bodies - Layout.FIRST_SPHERE + lights);
     }
 
-    private static void fill(float[] floats, int start, int bodies, int mostInLeaf) {
+    /** Place of the root over the spheres that are no lights; the root over the lights follows it. */
+    public static int shadowRoot(int root, int lights) {
+        return lights > 0 ? root + Layout.NODE_STRIDE : root;
+    }
+
+    private static void fill(float[] floats, int start, int bodies, int[] lights, int mostInLeaf) {
         int spheres = bodies - Layout.FIRST_SPHERE;
-        int root = start + Layout.SPHERE_STRIDE * spheres;
+        int root = shadowRoot(start + Layout.SPHERE_STRIDE * (spheres + lights.length), lights.length);
+        int room = root + (lights.length > 0 ? 2 : 1) * Layout.NODE_STRIDE;
+        int end = start + Layout.SPHERE_STRIDE * spheres;
         if (spheres >= FEWEST_FOR_CELLS) {
             SphereCells cells = new SphereCells(floats, bodies);
-            new CellTree(cells, floats, start, root, mostInLeaf).invoke();
+            new CellTree(cells, floats, start, root, room, mostInLeaf).invoke();
         } else {
             for (int sphere = 0; sphere < spheres; sphere++) {
                 writeSphere(floats, start + Layout.SPHERE_STRIDE * sphere, floats, Layout.FIRST_SPHERE + sphere);
             }
-            new Subtree(floats, root, root + Layout.NODE_STRIDE, start, root, 0, mostInLeaf).invoke();
+            new Subtree(floats, root, room, start, end, 0, mostInLeaf).invoke();
         }
+    }
+
+    /** Writes the lights' part of the hierarchy and the root above both parts. */
+    private static void addLights(float[] floats, int start, int bodies, int[] lights) {
+        if (lights.length > 0) {
+            int spheres = bodies - Layout.FIRST_SPHERE;
+            int from = start + Layout.SPHERE_STRIDE * spheres;
+            int root = from + Layout.SPHERE_STRIDE * lights.length;
+            int first = root + Layout.NODE_STRIDE;
+            int second = first + Layout.NODE_STRIDE;
+            int room = second + (1 + Math.max(0, 2 * spheres - 2)) * Layout.NODE_STRIDE;
+            for (int light = 0; light < lights.length; light++) {
+                writeSphere(floats, from + Layout.SPHERE_STRIDE * light, floats, lights[light]);
+            }
+            new Subtree(floats, second, room, from, root, 1, MOST_IN_LEAF).invoke();
+            join(floats, root, spheres > 0 ? first : second, second);
+            floats[root + Layout.NODE_LINK] = first;
+            floats[root + Layout.NODE_SPHERES] = -1;
+        }
+    }
+
+    /** Writes the box around two nodes'. */
+    private static void join(float[] floats, int to, int first, int second) {
+        for (int axis = 0; axis < 3; axis++) {
+            float low = Math.min(side(floats, first + axis, -1), side(floats, second + axis, -1));
+            float high = Math.max(side(floats, first + axis, 1), side(floats, second + axis, 1));
+            floats[to + Layout.NODE_CENTER + axis] = 0.5f * (low + high);
+            floats[to + Layout.NODE_HALF + axis] = GROWTH * 0.5f * (high - low);
+        }
+    }
+
+    private static float side(float[] floats, int at, int sign) {
+        return floats[at + Layout.NODE_CENTER] + sign * floats[at + Layout.NODE_HALF];
     }
 
     /** Writes a sphere, laid out as in {@link Layout}. */

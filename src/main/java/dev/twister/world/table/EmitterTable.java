@@ -4,6 +4,7 @@ import dev.twister.scene.Mesh;
 import dev.twister.scene.Rgb;
 import dev.twister.sky.Skybox;
 import dev.twister.world.Bodies;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -11,8 +12,9 @@ import java.util.Optional;
 public final class EmitterTable {
     private Optional<Source> source = Optional.empty();
     private Optional<Emitters> emitters = Optional.empty();
+    private float[] places = {};
 
-    /** What the tables depend on. Where spheres are makes no difference. */
+    /** What the tables depend on, beside the places of the spheres in a tree. */
     @SuppressWarnings("ArrayRecordComponent") // an array's identity is what counts
     private record Source(
             float[] looks, float[] images, int bodyCount, List<Mesh> meshes, List<Rgb> lights, boolean sky) {}
@@ -32,9 +34,13 @@ public final class EmitterTable {
             Skybox sky,
             boolean skyShines) {
         Optional<Source> now = Optional.of(new Source(bodies.looks(), images, bodyCount, meshes, lights, skyShines));
-        if (!source.equals(now)) {
+        boolean same = source.equals(now)
+                && Arrays.equals(places, emitters.orElseThrow().placesInTree(bodies));
+        if (!same) {
             source = now;
-            emitters = Optional.of(Emitters.of(bodies, bodyCount, lights, images, sky, skyShines));
+            Emitters made = Emitters.of(bodies, bodyCount, lights, images, sky, skyShines);
+            emitters = Optional.of(made);
+            places = made.placesInTree(bodies);
         }
         return emitters.orElseThrow();
     }

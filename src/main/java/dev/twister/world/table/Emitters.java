@@ -19,20 +19,23 @@ import java.util.Map;
  * @param table place of the emitters in the looks
  * @param count number of emitters
  * @param sky number of the sky's emitter, from 1 on, or 0
+ * @param tree place in the looks of the tree over the other emitters, or 0
  * @param skyTable place of the sky's probabilities in the images, divided by {@link Layout#ALIGNMENT}
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
-public record Emitters(float[] looks, float[] images, int table, int count, int sky, int skyTable) {
+public record Emitters(float[] looks, float[] images, int table, int count, int sky, int tree, int skyTable) {
     /** Probability of the sky beside other emitters. */
     private static final double SKY_PART = 0.5;
 
     /** A body that emits, or one of its triangles. */
-    private record Emitter(int body, int instance, int triangle, double area, double power) {}
+    private record Emitter(int body, int instance, int triangle, double area, EmitterTree.Part part) {}
+
+    private static final double[] TO_ALL = {0, 0, 0};
 
     /**
      * The tables for the present bodies.
      *
-     * @param bodyCount number of present bodies without meshes and further lights
+     * @param bodyCount number of present bodies: the first light, the plane and the spheres
      * @param lights each light's radiance
      * @param images {@code images} of {@link Layout}, the sky first
      * @param sky the panorama
@@ -41,15 +44,15 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
     public static Emitters of(
             Bodies bodies, int bodyCount, List<Rgb> lights, float[] images, Skybox sky, boolean skyShines) {
         float[] looks = bodies.looks().clone();
-        int further = lights.size() - 1;
+        BodyOrder numbers = new BodyOrder(bodies.room() - Layout.FIRST_SPHERE, lights.size());
         for (int index = 0; index < lights.size(); index++) {
-            int body = index == 0 ? Layout.LIGHT : bodies.room() + index - 1;
-            LookTable.putColor(looks, Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION, lights.get(index));
+            int look = Layout.LOOK_STRIDE * numbers.light(index);
+            LookTable.putColor(looks, look + Layout.LOOK_EMISSION, lights.get(index));
         }
         List<Emitter> emitters = new ArrayList<>();
         EmissionMeans means = new EmissionMeans(looks, bodies.textures(), images);
         addSpheres(bodies, 0, bodyCount, looks, means, emitters);
-        addSpheres(bodies, bodies.room(), bodies.room() + further, looks, means, emitters);
+        addSpheres(bodies, bodies.room(), bodies.sphereEnd(), looks, means, emitters);
         if (bodies.firstMesh() != Layout.NO_MESHES) {
             addTriangles(bodies, looks, means, emitters);
         }
@@ -59,20 +62,26 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
         int table = looks.length;
         int count = emitters.size() + (shines ? 1 : 0);
         looks = Arrays.copyOf(looks, table + Layout.EMITTER_STRIDE * count);
-        double power = emitters.stream().mapToDouble(Emitter::power).sum();
+        double power = emitters.stream().mapToDouble(emitter -> emitter.part().power()).sum();
         double part = shines ? 1 - SKY_PART : 1;
         double sum = 0;
         int at = table;
         for (Emitter emitter : emitters) {
-            double probability = part * emitter.power() / power;
+            double probability = part * emitter.part().power() / power;
             sum += probability;
             write(looks, at, emitter, sum, probability);
             at += Layout.EMITTER_STRIDE;
         }
         if (shines) {
-            write(looks, at, new Emitter(Layout.NOTHING, -1, -1, 0, 0), 1, 1 - sum);
+            write(looks, at, new Emitter(Layout.NOTHING, -1, -1, 0, new EmitterTree.Part(TO_ALL, 0, 0, TO_ALL)), 1, 1 - sum);
         } else if (count > 0) {
             looks[at - Layout.EMITTER_STRIDE + Layout.EMITTER_END] = 1;
+        }
+        int tree = 0;
+        if (emitters.size() >= EmitterTree.FEWEST) {
+            tree = looks.length;
+            looks = Arrays.copyOf(looks, tree + EmitterTree.length(emitters.size()));
+            EmitterTree.write(emitters.stream().map(Emitter::part).toList(), looks, table, tree);
         }
         int skyTable = shines ? Math.ceilDiv(images.length, Layout.ALIGNMENT) : 0;
         return new Emitters(
@@ -81,6 +90,7 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
                 table,
                 count,
                 shines ? count : 0,
+                tree,
                 skyTable);
     }
 
@@ -89,7 +99,21 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
         frame[Layout.EMITTER_TABLE] = table;
         frame[Layout.EMITTERS] = count;
         frame[Layout.SKY_EMITTER] = sky;
+        frame[Layout.LIGHT_TREE] = tree;
         frame[Layout.SKY_TABLE] = skyTable;
+    }
+
+    /** The centers of the spheres that the tree holds; none without a tree. */
+    float[] placesInTree(Bodies bodies) {
+        float[] places = new float[tree > 0 ? 3 * count : 0];
+        for (int emitter = 0; emitter < places.length / 3; emitter++) {
+            int row = table + Layout.EMITTER_STRIDE * emitter;
+            int body = (int) looks[row + Layout.EMITTER_BODY];
+            for (int axis = 0; axis < 3 && body > Layout.NOTHING && looks[row + Layout.EMITTER_TRIANGLE] < 0; axis++) {
+                places[3 * emitter + axis] = bodies.center(body, axis);
+            }
+        }
+        return places;
     }
 
     private static void addSpheres(
@@ -99,7 +123,13 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
             if (radiance > 0 && body != Layout.PLANE) {
                 double area = 4 * Math.PI * bodies.size(body) * bodies.size(body);
                 looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER] = 1 + emitters.size();
-                emitters.add(new Emitter(body, -1, -1, area, radiance * area));
+                double[] center = {bodies.center(body, 0), bodies.center(body, 1), bodies.center(body, 2)};
+                emitters.add(new Emitter(
+                        body,
+                        -1,
+                        -1,
+                        area,
+                        new EmitterTree.Part(center, bodies.size(body), radiance * area, TO_ALL)));
             }
         }
     }
@@ -117,34 +147,65 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
                 looks[look + Layout.LOOK_EMITTER] = 1 + emitters.size();
                 int triangles = (int) floats[at + Layout.INSTANCE_TRIANGLES];
                 for (int triangle = 0; triangle < triangles; triangle++) {
-                    double area = area(floats, at, bodies.meshes(), triangle);
-                    emitters.add(new Emitter(body, instance, triangle, area, radiance * area * sides));
+                    double[][] corners = corners(floats, at, bodies.meshes(), triangle);
+                    double[] normal = cross(corners);
+                    double twice = Math.sqrt(dot(normal, normal));
+                    double power = radiance * twice / 2 * sides;
+                    emitters.add(new Emitter(
+                            body, instance, triangle, twice / 2, part(corners, normal, twice, power, sides)));
                 }
             }
         }
     }
 
-    /** A triangle's area in square meters. */
-    private static double area(float[] bodies, int instance, float[] meshes, int triangle) {
-        int at = Instance.triangles(bodies, instance) + Layout.TRIANGLE_STRIDE * triangle;
-        double[] first = edge(bodies, instance, meshes, at, 1);
-        double[] second = edge(bodies, instance, meshes, at, 2);
-        double x = first[1] * second[2] - first[2] * second[1];
-        double y = first[2] * second[0] - first[0] * second[2];
-        double z = first[0] * second[1] - first[1] * second[0];
-        return Math.sqrt(x * x + y * y + z * z) / 2;
+    private static EmitterTree.Part part(
+            double[][] corners, double[] normal, double length, double power, int sides) {
+        double[] center = new double[3];
+        double[] axis = new double[3];
+        for (int i = 0; i < 3; i++) {
+            center[i] = (corners[0][i] + corners[1][i] + corners[2][i]) / 3;
+            axis[i] = sides == 1 && length > 0 ? normal[i] / length : 0;
+        }
+        double squared = 0;
+        for (double[] corner : corners) {
+            double[] away = {corner[0] - center[0], corner[1] - center[1], corner[2] - center[2]};
+            squared = Math.max(squared, dot(away, away));
+        }
+        return new EmitterTree.Part(center, Math.sqrt(squared), power, axis);
     }
 
-    private static double[] edge(float[] bodies, int instance, float[] meshes, int triangle, int corner) {
-        double[] edge = new double[3];
-        for (int row = 0; row < 3; row++) {
-            int at = instance + Layout.INSTANCE_TO_WORLD + 4 * row;
-            for (int axis = 0; axis < 3; axis++) {
-                edge[row] += (double) bodies[at + axis]
-                        * (meshes[triangle + 3 * corner + axis] - (double) meshes[triangle + axis]);
+    private static double[][] corners(float[] bodies, int instance, float[] meshes, int triangle) {
+        int at = Instance.triangles(bodies, instance) + Layout.TRIANGLE_STRIDE * triangle;
+        double[][] corners = new double[3][3];
+        for (int corner = 0; corner < 3; corner++) {
+            for (int row = 0; row < 3; row++) {
+                int place = instance + Layout.INSTANCE_TO_WORLD + 4 * row;
+                corners[corner][row] = bodies[place + 3];
+                for (int axis = 0; axis < 3; axis++) {
+                    corners[corner][row] += (double) bodies[place + axis] * meshes[at + 3 * corner + axis];
+                }
             }
         }
-        return edge;
+        return corners;
+    }
+
+    /** Twice a triangle's area, along its normal. */
+    private static double[] cross(double[][] corners) {
+        double[] first = new double[3];
+        double[] second = new double[3];
+        for (int i = 0; i < 3; i++) {
+            first[i] = corners[1][i] - corners[0][i];
+            second[i] = corners[2][i] - corners[0][i];
+        }
+        return new double[] {
+            first[1] * second[2] - first[2] * second[1],
+            first[2] * second[0] - first[0] * second[2],
+            first[0] * second[1] - first[1] * second[0]
+        };
+    }
+
+    private static double dot(double[] one, double[] other) {
+        return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
     }
 
     private static void write(float[] looks, int at, Emitter emitter, double sum, double probability) {

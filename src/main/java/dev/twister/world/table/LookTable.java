@@ -3,7 +3,6 @@ package dev.twister.world.table;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
 import dev.twister.scene.Ground;
-import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sphere;
@@ -22,7 +21,8 @@ public final class LookTable {
 
     private float[] looks = {};
     private int materials;
-    private int secondLight;
+    private BodyOrder numbers = new BodyOrder(0, 1);
+    private int lightTable;
     private MapTexels texels = MapTexels.NONE;
 
     /**
@@ -40,22 +40,27 @@ public final class LookTable {
             float[] meshFloats,
             SceneImages newImages) {
         MapTable table = new MapTable(newImages);
-        secondLight = Layout.FIRST_SPHERE + spheres.size();
-        int firstMesh = secondLight + lights.further().size();
-        float[] materials = new float[Layout.LOOK_STRIDE * (firstMesh + meshes.size())];
+        numbers = new BodyOrder(spheres.size(), lights.count());
+        float[] materials = new float[Layout.LOOK_STRIDE * (numbers.firstMesh() + meshes.size())];
         put(materials, Layout.PLANE, ground.material(), table.row(ground.material()));
         int body = Layout.FIRST_SPHERE;
         for (Sphere sphere : spheres) {
             put(materials, body++, sphere.material(), table.row(sphere.material()));
         }
-        body = firstMesh;
+        body = numbers.firstMesh();
         for (MeshBody mesh : meshes) {
             put(materials, body++, mesh.material(), table.row(mesh));
         }
         this.materials = arePlain(materials) ? 0 : Variant.MATERIALS | table.variant();
         put(materials, lights);
         texels = texels.changedTo(newImages, table.uses(), table.opacities(), meshFloats);
-        replace(table.withTable(materials, texels));
+        float[] mapped = table.withTable(materials, texels);
+        lightTable = mapped.length;
+        float[] all = Arrays.copyOf(mapped, lightTable + lights.count());
+        for (int index = 0; index < lights.count(); index++) {
+            all[lightTable + index] = numbers.light(index);
+        }
+        replace(all);
     }
 
     /** Changes as many lights as there are. */
@@ -66,16 +71,12 @@ public final class LookTable {
     }
 
     private void put(float[] materials, Lights lights) {
-        put(materials, Layout.LIGHT, lights.first());
-        int body = secondLight;
-        for (Light light : lights.further()) {
-            put(materials, body++, light);
+        for (int index = 0; index < lights.count(); index++) {
+            int look = Layout.LOOK_STRIDE * numbers.light(index);
+            putColor(materials, look, lights.get(index).color());
+            materials[look + Layout.LOOK_SHARE] = (float) lights.get(index).share();
+            materials[look + Layout.LOOK_LIGHT] = 1;
         }
-    }
-
-    private static void put(float[] materials, int body, Light light) {
-        putColor(materials, Layout.LOOK_STRIDE * body, light.color());
-        materials[Layout.LOOK_STRIDE * body + Layout.LOOK_SHARE] = (float) light.share();
     }
 
     private void replace(float[] changed) {
@@ -86,6 +87,11 @@ public final class LookTable {
 
     public float[] looks() {
         return looks;
+    }
+
+    /** Place in the looks of the table of lights. */
+    public int lightTable() {
+        return lightTable;
     }
 
     public float[] texels() {

@@ -2,6 +2,7 @@ package dev.twister.world.table;
 
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Ground;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
@@ -17,12 +18,15 @@ import java.util.List;
  * changed, moved or been poured.
  */
 public final class PlaceTable {
+    /** Beyond all that is seen, in no direction of note. */
+    private static final Vector3 NOWHERE = new Vector3(0.31e18, -1e18, 0.47e18);
+
     private final Vector3 origin;
     private float[] places = {};
     private float[] instances = {};
-    private int room;
-    private int firstMesh;
+    private BodyOrder numbers = new BodyOrder(0, 1);
     private int present;
+    private int[] lights = {};
     private float[] floats = {};
     private boolean floatsHold;
     private boolean hierarchyHolds;
@@ -36,12 +40,14 @@ public final class PlaceTable {
     /**
      * Places all bodies.
      *
+     * @param integrator decides which lights are drawn
      * @param spheres including those to be poured
      * @param newPresent number of present bodies without meshes
      * @param meshData {@link SceneMeshes#floats}
      */
     public void put(
-            Lights lights,
+            Lights newLights,
+            Integrator integrator,
             Ground ground,
             List<Sphere> spheres,
             int newPresent,
@@ -50,25 +56,25 @@ public final class PlaceTable {
         float[] before = places;
         float[] instancesBefore = instances;
         boolean held = floatsHold;
-        boolean samePresent = present == newPresent && room == Layout.FIRST_SPHERE + spheres.size();
-        room = Layout.FIRST_SPHERE + spheres.size();
-        firstMesh = room + lights.further().size();
+        BodyOrder numbersBefore = numbers;
+        numbers = new BodyOrder(spheres.size(), newLights.count());
+        boolean samePresent = present == newPresent && numbers.equals(numbersBefore);
         present = newPresent;
-        instances = InstanceTable.of(meshes, meshData, firstMesh);
-        places = new float[Layout.PLACE_STRIDE * (firstMesh + meshes.size())];
-        put(lights);
+        instances = InstanceTable.of(meshes, meshData, numbers.firstMesh());
+        places = new float[Layout.PLACE_STRIDE * (numbers.firstMesh() + meshes.size())];
+        put(newLights, integrator);
         put(ground);
         int body = Layout.FIRST_SPHERE;
         for (Sphere sphere : spheres) {
             place(body++, sphere.position().minus(origin), sphere.radius());
         }
-        body = firstMesh;
+        body = numbers.firstMesh();
         for (MeshBody mesh : meshes) {
             MeshBox box = MeshBox.of(mesh, meshData);
             place(body++, box.center(), box.radius());
         }
         int first = Layout.PLACE_STRIDE * Layout.FIRST_SPHERE;
-        int last = Layout.PLACE_STRIDE * room;
+        int last = Layout.PLACE_STRIDE * numbers.room();
         hierarchyHolds &= samePresent
                 && before.length == places.length
                 && Arrays.equals(before, first, last, places, first, last);
@@ -76,17 +82,21 @@ public final class PlaceTable {
                 held && hierarchyHolds && Arrays.equals(before, places) && Arrays.equals(instancesBefore, instances);
     }
 
-    /** Places as many lights as there are. */
-    public void put(Lights lights) {
-        put(Layout.LIGHT, lights.first());
-        int body = room;
-        for (Light light : lights.further()) {
-            put(body++, light);
+    /** Places as many lights as there are. With path tracing, those that give no light are nowhere. */
+    public void put(Lights newLights, Integrator integrator) {
+        int[] drawn = new int[newLights.count()];
+        int count = 0;
+        for (int index = 0; index < newLights.count(); index++) {
+            Light light = newLights.get(index);
+            boolean dark = integrator == Integrator.PATH && light.strength().orElse(1.0) == 0;
+            place(numbers.light(index), dark ? NOWHERE : light.position().minus(origin), dark ? 0 : light.radius());
+            if (index > 0 && !dark) {
+                drawn[count++] = numbers.light(index);
+            }
         }
-    }
-
-    private void put(int body, Light light) {
-        place(body, light.position().minus(origin), light.radius());
+        drawn = Arrays.copyOf(drawn, count);
+        hierarchyHolds &= Arrays.equals(drawn, lights);
+        lights = drawn;
     }
 
     public void put(Ground ground) {
@@ -101,18 +111,18 @@ public final class PlaceTable {
     }
 
     /**
-     * Moves the bodies, except meshes and further lights.
+     * Moves the bodies, except meshes and lights after the first.
      *
      * @param positions three floats for each of the first light, the plane and the spheres
      */
     public void move(float[] positions, int newPresent) {
-        if (positions.length != 3 * room) {
-            throw new IllegalArgumentException(positions.length + " coordinates for " + room + " bodies");
+        if (positions.length != 3 * numbers.room()) {
+            throw new IllegalArgumentException(positions.length + " coordinates for " + numbers.room() + " bodies");
         }
-        if (newPresent < Layout.FIRST_SPHERE || newPresent > room) {
-            throw new IllegalArgumentException(newPresent + " bodies of " + room);
+        if (newPresent < Layout.FIRST_SPHERE || newPresent > numbers.room()) {
+            throw new IllegalArgumentException(newPresent + " bodies of " + numbers.room());
         }
-        for (int body = 0; body < room; body++) {
+        for (int body = 0; body < numbers.room(); body++) {
             System.arraycopy(positions, 3 * body, places, Layout.PLACE_STRIDE * body, 3);
         }
         present = newPresent;
@@ -124,9 +134,10 @@ public final class PlaceTable {
     public float[] floats() {
         if (!floatsHold) {
             if (hierarchyHolds) {
-                floats = SphereHierarchy.kept(floats, places, room, instances);
+                floats = SphereHierarchy.kept(
+                        floats, places, present, lights, numbers.room(), numbers.firstMesh(), instances);
             } else {
-                floats = SphereHierarchy.of(places, present, room, instances);
+                floats = SphereHierarchy.of(places, present, lights, numbers.firstMesh(), instances);
                 hierarchy = new HierarchyIdentity();
             }
             floatsHold = true;
@@ -140,14 +151,23 @@ public final class PlaceTable {
         return hierarchy;
     }
 
-    /** Maximum number of bodies without meshes and further lights; the second light is numbered from here. */
-    public int room() {
-        return room;
+    public BodyOrder numbers() {
+        return numbers;
     }
 
-    /** Number of present bodies without meshes and further lights. */
+    /** Number of present bodies: the first light, the plane and the spheres. */
     public int present() {
         return present;
+    }
+
+    /** Place of the root over all spheres. */
+    public int root() {
+        return SphereHierarchy.root(end(), present, lights.length);
+    }
+
+    /** Place of the root over the spheres that cast shadows. */
+    public int shadowRoot() {
+        return SphereHierarchy.shadowRoot(root(), lights.length);
     }
 
     /** One more than the highest body number. */
@@ -157,6 +177,6 @@ public final class PlaceTable {
 
     /** The first mesh's body, or {@link Layout#NO_MESHES} if no mesh is visible. */
     public int firstMesh() {
-        return instances.length > 0 ? firstMesh : Layout.NO_MESHES;
+        return instances.length > 0 ? numbers.firstMesh() : Layout.NO_MESHES;
     }
 }

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.tuple;
 import dev.twister.bench.GreedyEngine;
 import dev.twister.bench.Statistics;
 import dev.twister.bench.TestWorld;
+import dev.twister.bench.benchmark.Measurement.DeviceTimes;
+import dev.twister.bench.benchmark.Measurement.MotionTimes;
 import dev.twister.bench.report.ReportFields;
 import dev.twister.bench.report.ReportTable;
 import dev.twister.engine.Engine;

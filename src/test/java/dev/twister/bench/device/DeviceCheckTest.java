@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.bench.TestWorld;
 import dev.twister.bench.benchmark.BenchmarkProgress;
+import dev.twister.bench.device.CheckedEngine.CheckedPicture;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;

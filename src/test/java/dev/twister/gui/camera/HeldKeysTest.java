@@ -2,6 +2,7 @@ package dev.twister.gui.camera;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.gui.camera.CameraKeys.HeldKeys;
 import dev.twister.world.animation.Turn;
 import dev.twister.world.animation.Walk;
 import javafx.scene.input.KeyCode;

@@ -2,6 +2,7 @@ package dev.twister.gui.camera;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.gui.camera.CameraMouse.HiddenPointer;
 import java.util.ArrayList;
 import java.util.List;
 import javafx.geometry.Point2D;

@@ -2,6 +2,7 @@ package dev.twister.gui.drawing;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.gui.drawing.CurrentWorld.CurrentTextures;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
 import dev.twister.scene.Material;

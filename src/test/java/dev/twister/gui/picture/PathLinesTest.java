@@ -5,8 +5,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.explain.PixelPath;
 import dev.twister.gui.edit.Scenes;
-import dev.twister.gui.picture.PathLines.Kind;
-import dev.twister.gui.picture.PathLines.Line;
+import dev.twister.gui.picture.PathView.PathLines;
+import dev.twister.gui.picture.PathView.PathLines.Kind;
+import dev.twister.gui.picture.PathView.PathLines.Line;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 

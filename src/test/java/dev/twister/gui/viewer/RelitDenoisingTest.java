@@ -59,6 +59,7 @@ class RelitDenoisingTest {
     private static ViewedPicture picture(Optional<Guides> guides, boolean denoised) {
         ViewedPicture.Light light = new ViewedPicture.Light("lamp", new float[] {3, 4, 5});
         Optional<float[]> clean = Optional.of(new float[] {7, 8, 9}).filter(_ -> denoised);
-        return new ViewedPicture(1, 1, new float[] {1, 2, 3}, Rendering.DEFAULT, List.of(light), guides, clean);
+        return new ViewedPicture(
+                1, 1, new float[] {1, 2, 3}, Rendering.DEFAULT, List.of(light), guides, clean, Optional.empty());
     }
 }

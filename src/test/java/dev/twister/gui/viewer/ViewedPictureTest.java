@@ -3,8 +3,8 @@ package dev.twister.gui.viewer;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIOException;
 
-import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrPicture;
+import dev.twister.image.ExrPicture.ExrChannel;
 import dev.twister.image.ExrWriter;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.Provenance;
@@ -65,6 +65,13 @@ class ViewedPictureTest {
         assertThatIOException()
                 .isThrownBy(() -> ViewedPicture.read(part))
                 .withMessage(part + " is a part of a picture; 'twister join' makes a picture of parts");
+    }
+
+    @Test
+    void namesTheFirstOfSeveralParts() throws IOException {
+        Path file = Path.of("src", "test", "resources", "exr", "zip-parts.exr");
+
+        assertThat(ViewedPicture.read(file).part()).contains("the first of 3 parts, 'part0'");
     }
 
     @Test

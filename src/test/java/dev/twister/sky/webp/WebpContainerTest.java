@@ -3,6 +3,7 @@ package dev.twister.sky.webp;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIOException;
 
+import dev.twister.sky.webp.WebpContainer.WebpImage;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.InputStream;

@@ -24,9 +24,9 @@ class SphereHierarchyTest {
     @Property(seed = "20261121", tries = 200, shrinking = ShrinkingMode.OFF)
     void everySphereIsInOneLeafInsideAllItsBoxes(@ForAll("crowds") RandomCrowds crowd) {
         int mostInLeaf = 1 + crowd.bodies() % 9;
-        float[] hierarchy = SphereHierarchy.of(crowd.places(), crowd.bodies(), mostInLeaf);
+        float[] hierarchy = SphereHierarchy.of(crowd.places(), crowd.bodies(), new int[0], mostInLeaf);
         Walk walk = new Walk(crowd, hierarchy, mostInLeaf);
-        walk.visit(SphereHierarchy.root(crowd.bodies(), crowd.bodies()), 0);
+        walk.visit(SphereHierarchy.root(crowd.bodies(), crowd.bodies(), 0), 0);
         assertThat(walk.visits).containsOnly(1).hasSize(crowd.bodies() - Layout.FIRST_SPHERE);
     }
 
@@ -57,8 +57,8 @@ class SphereHierarchyTest {
     }
 
     private static void requireSoundHierarchy(RandomCrowds crowd) {
-        Walk walk = new Walk(crowd, SphereHierarchy.of(crowd.places(), crowd.bodies(), 1), 1);
-        walk.visit(SphereHierarchy.root(crowd.bodies(), crowd.bodies()), 0);
+        Walk walk = new Walk(crowd, SphereHierarchy.of(crowd.places(), crowd.bodies(), new int[0], 1), 1);
+        walk.visit(SphereHierarchy.root(crowd.bodies(), crowd.bodies(), 0), 0);
         assertThat(walk.visits).containsOnly(1);
     }
 
@@ -86,8 +86,9 @@ class SphereHierarchyTest {
     private static float rootsSpheres(int spheres) {
         RandomCrowds crowd = RandomCrowds.of(new Random(1), spheres);
         float[] hierarchy = SphereHierarchy.of(crowd.places(), crowd.bodies());
-        assertThat(hierarchy).hasSize(crowd.places().length + Layout.spheresLength(crowd.bodies()));
-        return hierarchy[SphereHierarchy.root(crowd.bodies(), crowd.bodies()) + Layout.NODE_SPHERES];
+        assertThat(hierarchy)
+                .hasSize(crowd.places().length + Layout.spheresLength(crowd.bodies() - Layout.FIRST_SPHERE));
+        return hierarchy[SphereHierarchy.root(crowd.bodies(), crowd.bodies(), 0) + Layout.NODE_SPHERES];
     }
 
     /** Traverses a hierarchy and checks it. */

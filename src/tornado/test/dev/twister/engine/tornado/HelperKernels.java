@@ -7,6 +7,7 @@ import dev.twister.kernel.Illumination;
 import dev.twister.kernel.Intersection;
 import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.LightTree;
 import dev.twister.kernel.MeshRay;
 import dev.twister.kernel.Refraction;
 import dev.twister.kernel.Shadow;
@@ -61,6 +62,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             case "triangle" -> HelperKernels::triangleItems;
             case "mesh" -> HelperKernels::meshItems;
             case "meshShadow" -> HelperKernels::meshShadowItems;
+            case "lightTree" -> HelperKernels::lightTreeItems;
             default -> throw new IllegalArgumentException(helper);
         };
     }
@@ -134,6 +136,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             int present = (int) in[8 * i + 7];
             frame[Layout.BODIES] = present;
             frame[Layout.ROOT] = Layout.PLACE_STRIDE * present + Layout.SPHERE_STRIDE * (present - Layout.FIRST_SPHERE);
+            frame[Layout.SHADOW_ROOT] = frame[Layout.ROOT];
             path[Layout.ORIGIN] = in[8 * i];
             path[Layout.ORIGIN + 1] = in[8 * i + 1];
             path[Layout.ORIGIN + 2] = in[8 * i + 2];
@@ -151,6 +154,32 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
+    /** Item: point, normal, number. Table: the frame's values, then the looks. */
+    static void lightTreeItems(float[] in, float[] table, float[] b, float[] c, float[] out, int count) {
+        for (@Parallel int i = 0; i < count; i++) {
+            float[] path = new float[Layout.TRACED_PATH_LENGTH];
+            float[] frame = new float[Layout.DISC];
+            for (int k = 0; k < Layout.DISC; k++) {
+                frame[k] = table[k];
+            }
+            path[Layout.TRANSMISSION] = 0f;
+            path[Layout.POINT] = in[7 * i];
+            path[Layout.POINT + 1] = in[7 * i + 1];
+            path[Layout.POINT + 2] = in[7 * i + 2];
+            path[Layout.ORIGIN] = in[7 * i];
+            path[Layout.ORIGIN + 1] = in[7 * i + 1];
+            path[Layout.ORIGIN + 2] = in[7 * i + 2];
+            path[Layout.NORMAL] = in[7 * i + 3];
+            path[Layout.NORMAL + 1] = in[7 * i + 4];
+            path[Layout.NORMAL + 2] = in[7 * i + 5];
+            int emitter = LightTree.choose(path, in[7 * i + 6], frame, table);
+            int row = (int) frame[Layout.EMITTER_TABLE] + Layout.EMITTER_STRIDE * emitter;
+            out[3 * i] = emitter;
+            out[3 * i + 1] = path[Layout.CHOICE];
+            out[3 * i + 2] = LightTree.probability(path, (int) table[row + Layout.EMITTER_LEAF], frame, table);
+        }
+    }
+
     /** As {@link #hitItems}, by traversal of the hierarchy. */
     static void walkItems(float[] in, float[] bodies, float[] looks, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
@@ -160,6 +189,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             int present = (int) in[8 * i + 7];
             frame[Layout.BODIES] = present;
             frame[Layout.ROOT] = Layout.PLACE_STRIDE * present + Layout.SPHERE_STRIDE * (present - Layout.FIRST_SPHERE);
+            frame[Layout.SHADOW_ROOT] = frame[Layout.ROOT];
             path[Layout.ORIGIN] = in[8 * i];
             path[Layout.ORIGIN + 1] = in[8 * i + 1];
             path[Layout.ORIGIN + 2] = in[8 * i + 2];

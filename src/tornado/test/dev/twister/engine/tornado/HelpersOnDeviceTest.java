@@ -5,18 +5,24 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.kernel.Layout;
 import dev.twister.mesh.MeshFile;
 import dev.twister.oracle.MeshShapes;
+import dev.twister.scene.Integrator;
+import dev.twister.scene.Light;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
 import dev.twister.sky.Skybox;
 import dev.twister.world.Bodies;
+import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import dev.twister.world.hierarchy.SphereHierarchy;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
@@ -35,7 +41,7 @@ class HelpersOnDeviceTest {
     private static final int ITEMS = 20_000;
     private static final int BODIES = 42;
     private static final int LOOKS = Layout.LOOK_STRIDE * BODIES;
-    private static final int PLACED = Layout.PLACE_STRIDE * BODIES + Layout.spheresLength(BODIES);
+    private static final int PLACED = Layout.PLACE_STRIDE * BODIES + Layout.spheresLength(BODIES - Layout.FIRST_SPHERE);
     private static final int MANY_BODIES = 1000;
     private static final int MOST_SAMPLES = 500;
     private static final int MESHES = 3;
@@ -119,6 +125,40 @@ class HelpersOnDeviceTest {
         }
     }
 
+    /** Where rounding decides between two emitters, a few items may differ. */
+    @ParameterizedTest(name = "tree of lights on {0}")
+    @MethodSource("devices")
+    void lightsAreChosenAsOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
+        Random random = new Random(13);
+        FrameInput input = lamps(300, random);
+        float[] looks = input.bodies().looks();
+        float[] frame = Arrays.copyOf(input.view().frame(), Layout.DISC);
+        frame[Layout.EMITTER_TABLE] += Layout.DISC;
+        frame[Layout.LIGHT_TREE] += Layout.DISC;
+        try (HelperRun run = new HelperRun("lightTree", device, ITEMS, 7, 3, Layout.DISC + looks.length, 1, 1)) {
+            put(run.first, 0, concat(frame, looks));
+            for (int item = 0; item < ITEMS; item++) {
+                float[] point = floats(spread(random, 9), spread(random, 2), spread(random, 9));
+                put(run.input, item, concat(concat(point, direction(random)), floats(random.nextFloat())));
+            }
+            requireNear(run, 1e-4, ITEMS / 500);
+        }
+    }
+
+    private static FrameInput lamps(int count, Random random) {
+        List<Light> lights = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            Vector3 place = new Vector3(spread(random, 9), spread(random, 2), spread(random, 9));
+            lights.add(Light.of(place, 0.01 + random.nextDouble(), new Rgb(1, 1, 1))
+                    .withStrength(random.nextDouble()));
+        }
+        Scene scene = Scene.under(Path.of("none")).withLights(new Lights(lights));
+        return World.of(
+                        scene.withRendering(scene.rendering().withIntegrator(Integrator.PATH)),
+                        SceneImages.of(new Skybox(1, 1, new float[] {1, 1, 1})))
+                .snapshot();
+    }
+
     /** No, one, a few and more candidates than a point's list holds; few and many samples. */
     @ParameterizedTest(name = "shadow on {0}")
     @MethodSource("devices")
@@ -130,7 +170,7 @@ class HelpersOnDeviceTest {
                 8,
                 1,
                 Layout.DISC + 2 * MOST_SAMPLES,
-                Layout.PLACE_STRIDE * MANY_BODIES + Layout.spheresLength(MANY_BODIES),
+                Layout.PLACE_STRIDE * MANY_BODIES + Layout.spheresLength(MANY_BODIES - Layout.FIRST_SPHERE),
                 Layout.LOOK_STRIDE * MANY_BODIES)) {
             Random random = new Random(11);
             fillTransmissions(run.third, random);
@@ -138,10 +178,11 @@ class HelpersOnDeviceTest {
                 float[] places = new float[Layout.PLACE_STRIDE * bodies];
                 for (int samples : new int[] {1, 7, 64, MOST_SAMPLES}) {
                     fillSunflower(run.first, samples);
-                    run.first[Layout.ROOT] = SphereHierarchy.root(bodies, bodies);
+                    run.first[Layout.ROOT] = SphereHierarchy.root(bodies, bodies, 0);
+                    run.first[Layout.SHADOW_ROOT] = run.first[Layout.ROOT];
                     fillBodies(places, random);
                     put(places, 1, OUT_OF_THE_WAY);
-                    put(run.second, 0, SphereHierarchy.of(places, bodies, 1 + random.nextInt(bodies)));
+                    put(run.second, 0, SphereHierarchy.of(places, bodies, new int[0], 1 + random.nextInt(bodies)));
                     for (int item = 0; item < ITEMS / 10; item++) {
                         put(run.input, item, shadowedPoint(bodies, random));
                     }
@@ -176,7 +217,8 @@ class HelpersOnDeviceTest {
                 helper, device, items, 7, outputs, frame, bodies.floats().length, bodies.meshes().length)) {
             fillSunflower(run.first, HelperKernels.MESH_SAMPLES);
             run.first[Layout.FIRST_MESH] = bodies.firstMesh();
-            run.first[Layout.ROOT] = bodies.root(Layout.FIRST_SPHERE);
+            run.first[Layout.ROOT] = SphereHierarchy.root(bodies.end(), Layout.FIRST_SPHERE, 0);
+            run.first[Layout.SHADOW_ROOT] = run.first[Layout.ROOT];
             run.first[Layout.INSTANCES] = bodies.instances();
             run.first[looks + Layout.LOOK_STRIDE * (Layout.FIRST_SPHERE + 1) + Layout.LOOK_TRANSMISSION] = 0.5f;
             put(run.second, 0, bodies.floats());
@@ -338,7 +380,7 @@ class HelpersOnDeviceTest {
         if (run.second.length > 1) {
             float[] places = new float[Layout.PLACE_STRIDE * BODIES];
             fillBodies(places, random);
-            put(run.first, 0, SphereHierarchy.of(places, BODIES, MOST_IN_LEAF));
+            put(run.first, 0, SphereHierarchy.of(places, BODIES, new int[0], MOST_IN_LEAF));
             fillTransmissions(run.second, random);
         } else if (run.first.length == Layout.INSTANCE_STRIDE) {
             put(run.first, 0, floats(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0));

@@ -12,9 +12,8 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Closest sphere or first light per ray, through the hierarchy, and closer lights after the first. A packet's coherent
- * rays traverse it as one beam. The other rays have one beam each; as many as there are lanes are traversed level by
- * level.
+ * Closest sphere or light per ray, through the hierarchies over spheres and over lights. A packet's coherent rays
+ * traverse it as one beam. The other rays have one beam each; as many as there are lanes are traversed level by level.
  */
 public final class PacketHits {
     /** Smallest cosine between the directions of coherent rays. */
@@ -35,49 +34,67 @@ public final class PacketHits {
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
             int goesOn = (int) start(tile, at);
-            meet(tile, at, drawing.lightSpheres.values, SphereColumns.FIRST, 1);
-            int together = (int) gather(tile, at, goesOn);
-            if (together != 0) {
-                tile.together.add(at);
-            }
-            tile.lonely.add(at, goesOn & ~together);
+            meet(tile, at, drawing.firstLight.values, SphereColumns.FIRST, 1);
+            list(tile, at, goesOn);
         }
-        if (tile.together.count > 0) {
-            walkTogether(drawing, tile, walks);
-        }
-        for (int from = 0; from < tile.lonely.count; from += Lanes.COUNT) {
-            walkAlone(drawing, tile, walks, from, Math.min(Lanes.COUNT, tile.lonely.count - from));
-        }
+        walk(drawing.hierarchy, tile, walks);
     }
 
     /** Replaces hits and distances where a light after the first is closer. */
-    public static void findFurtherLights(Tile tile, Drawing drawing) {
-        SphereColumns lights = drawing.lightSpheres;
-        for (int first = 0; first < drawing.lightCount; first += Lanes.COUNT) {
-            long wanted = Lanes.first(Math.min(Lanes.COUNT, drawing.lightCount - first));
-            int block = SphereColumns.FIRST + first / Lanes.COUNT * lights.step;
+    public static void findLights(Tile tile, Drawing drawing, TraversalMemory walks) {
+        WideHierarchy lights = drawing.lightHierarchy;
+        if (lights.isOneBlock()) {
+            long all = Lanes.first(Math.min(Lanes.COUNT, drawing.lightCount - 1));
             for (int k = 0; k < tile.live.count; k++) {
-                meet(tile, tile.live.places[k], lights.values, block, first == 0 ? wanted & ~1L : wanted);
+                meet(tile, tile.live.places[k], lights.spheres.values, SphereColumns.FIRST, all);
             }
+        } else {
+            tile.lonely.clear();
+            tile.together.clear();
+            float[] t = tile.values;
+            for (int k = 0; k < tile.live.count; k++) {
+                int at = tile.live.places[k];
+                list(tile, at, (int) Lanes.load(t, at + Tile.THROUGHPUT)
+                        .compare(VectorOperators.GT, 0f)
+                        .toLong());
+            }
+            walk(lights, tile, walks);
         }
     }
 
-    private static void walkTogether(Drawing drawing, Tile tile, TraversalMemory walks) {
+    /** Lists a packet's coherent rays and its others. */
+    private static void list(Tile tile, int at, int goesOn) {
+        int together = (int) gather(tile, at, goesOn);
+        if (together != 0) {
+            tile.together.add(at);
+        }
+        tile.lonely.add(at, goesOn & ~together);
+    }
+
+    private static void walk(WideHierarchy hierarchy, Tile tile, TraversalMemory walks) {
+        if (tile.together.count > 0) {
+            walkTogether(hierarchy, tile, walks);
+        }
+        for (int from = 0; from < tile.lonely.count; from += Lanes.COUNT) {
+            walkAlone(hierarchy, tile, walks, from, Math.min(Lanes.COUNT, tile.lonely.count - from));
+        }
+    }
+
+    private static void walkTogether(WideHierarchy hierarchy, Tile tile, TraversalMemory walks) {
         walks.beam.holdRays(tile, 0, tile.together.count);
         walks.beam.endAt(Beam.EVERYWHERE);
-        if (walks.entrance.find(drawing.hierarchy, walks.beam)) {
+        if (walks.entrance.find(hierarchy, walks.beam)) {
             for (int k = 0; k < tile.together.count; k++) {
-                walkTogether(drawing, tile, walks, k);
+                walkTogether(hierarchy, tile, walks, k);
             }
         }
     }
 
     /** Traverses one packet from the tile's entrance. */
-    private static void walkTogether(Drawing drawing, Tile tile, TraversalMemory walks, int number) {
+    private static void walkTogether(WideHierarchy hierarchy, Tile tile, TraversalMemory walks, int number) {
         int at = tile.together.places[number];
         Beam beam = walks.beam;
         BeamStack descent = walks.descent;
-        WideHierarchy hierarchy = drawing.hierarchy;
         beam.holdRays(tile, number, number + 1);
         beam.endAt(farthest(tile, at));
         descent.start(walks.entrance, beam);
@@ -89,7 +106,7 @@ public final class PacketHits {
                 long near = beam.meeting(hierarchy.spheres, first);
                 tested |= near != 0L;
                 if (near != 0L) {
-                    meet(tile, at, drawing.hierarchy.spheres.values, first, near);
+                    meet(tile, at, hierarchy.spheres.values, first, near);
                 }
                 first += hierarchy.spheres.step;
             }
@@ -106,27 +123,25 @@ public final class PacketHits {
     }
 
     /** Traverses {@code count} single rays, beginning with index {@code first}. */
-    private static void walkAlone(Drawing drawing, Tile tile, TraversalMemory walks, int first, int count) {
+    private static void walkAlone(WideHierarchy hierarchy, Tile tile, TraversalMemory walks, int first, int count) {
         PacketLeaves leaves = walks.packetLeaves;
         walks.packetBeams.holdRays(tile.values, tile.lonely.pixels, first);
-        boolean found = leaves.find(drawing.hierarchy, walks.packetBeams, count);
+        boolean found = leaves.find(hierarchy, walks.packetBeams, count);
         if (found && leaves.end - leaves.first <= count * MOST_LEAVES) {
-            walks.raySpheres.meet(
-                    tile, walks.packetBeams, drawing.hierarchy, first, leaves.links, leaves.first, leaves.end);
+            walks.raySpheres.meet(tile, walks.packetBeams, hierarchy, first, leaves.links, leaves.first, leaves.end);
         } else {
             for (int beam = 0; beam < count; beam++) {
-                descend(drawing, tile, walks, first, beam);
+                descend(hierarchy, tile, walks, first, beam);
             }
         }
     }
 
     /** Tests one ray against the spheres of the leaves that it meets before its closest hit, nearest leaf first. */
-    private static void descend(Drawing drawing, Tile tile, TraversalMemory walks, int first, int number) {
+    private static void descend(WideHierarchy hierarchy, Tile tile, TraversalMemory walks, int first, int number) {
         float[] t = tile.values;
         int pixel = tile.lonely.pixels[first + number];
         Beam beam = walks.beam;
         BeamStack descent = walks.descent;
-        WideHierarchy hierarchy = drawing.hierarchy;
         beam.holdRay(t, pixel);
         beam.endAt(t[pixel + Tile.DISTANCE]);
         descent.start(hierarchy, beam);

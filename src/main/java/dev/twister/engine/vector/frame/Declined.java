@@ -81,8 +81,8 @@ public final class Declined {
         for (int body = 0; body < input.bodyCount() && !on; body++) {
             on = body != Layout.PLANE && isCameraOn(input, body);
         }
-        for (int light = 1; light < input.lights() && !on; light++) {
-            on = isCameraOn(input, input.light(light));
+        for (int light = input.bodies().room(); light < input.bodies().sphereEnd() && !on; light++) {
+            on = isCameraOn(input, light);
         }
         return on;
     }
@@ -137,7 +137,7 @@ public final class Declined {
         float emission = looks[look + Layout.LOOK_EMISSION]
                 + looks[look + Layout.LOOK_EMISSION + 1]
                 + looks[look + Layout.LOOK_EMISSION + 2];
-        return body != Layout.LIGHT && emission > 0;
+        return looks[look + Layout.LOOK_LIGHT] <= 0 && emission > 0;
     }
 
     /** Whether it has maps besides a texture: of emission, roughness, metal, normals, occlusion or transmission. */

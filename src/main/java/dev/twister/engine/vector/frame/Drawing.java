@@ -22,18 +22,19 @@ public final class Drawing {
     public final DiscOrders discOrders = new DiscOrders();
     public final PaddedSky sky = new PaddedSky();
 
-    /** The lights, in blocks of {@link Lanes#COUNT} spheres. */
-    public final SphereColumns lightSpheres = new SphereColumns();
+    /** The lights after the first, if {@link #lightSpheres}. */
+    public final WideHierarchy lightHierarchy = new WideHierarchy();
+
+    /** A block that begins with the first light. */
+    public final SphereColumns firstLight = new SphereColumns();
 
     /** At least {@link #lightCount} lights. */
     public ShadingLight[] lights = {};
 
     public int lightCount;
 
-    /** The bodies of the lights after the first: from this one to before {@link #endOfLights}. */
-    public int secondLight;
-
-    public int endOfLights;
+    /** Whether there are lights after the first that rays can meet. */
+    public boolean lightSpheres;
 
     /** Whether the light of several lights is summed up: there are several, or one whose share is not 1. */
     public boolean severalLights;
@@ -132,24 +133,25 @@ public final class Drawing {
     private void takeLights() {
         lightCount = input.lights();
         severalLights = input.hasSeveralLights();
-        secondLight = input.light(1);
-        endOfLights = input.light(lightCount);
+        lightSpheres = input.lightRoot().isPresent();
+        if (lightSpheres) {
+            lightHierarchy.takeLights(input);
+        }
         if (lights.length < lightCount) {
             lights = new ShadingLight[lightCount];
             Arrays.setAll(lights, _ -> new ShadingLight());
         }
-        lightSpheres.reserveBlocks((lightCount + Lanes.COUNT - 1) / Lanes.COUNT);
         for (int index = 0; index < lightCount; index++) {
-            ShadingLight light = lights[index];
-            light.take(input, index, bodies, planeHeight);
-            int at = SphereColumns.FIRST + index / Lanes.COUNT * lightSpheres.step + index % Lanes.COUNT;
-            lightSpheres.values[at] = light.x;
-            lightSpheres.values[at + SphereColumns.Y * Lanes.COUNT] = light.y;
-            lightSpheres.values[at + SphereColumns.Z * Lanes.COUNT] = light.z;
-            lightSpheres.values[at + SphereColumns.RADIUS * Lanes.COUNT] =
-                    input.bodies().size(light.body);
-            lightSpheres.values[at + SphereColumns.BODY * Lanes.COUNT] = light.body;
+            lights[index].take(input, index, bodies, planeHeight);
         }
+        firstLight.reserveBlocks(1);
+        int at = SphereColumns.FIRST;
+        firstLight.values[at] = lights[0].x;
+        firstLight.values[at + SphereColumns.Y * Lanes.COUNT] = lights[0].y;
+        firstLight.values[at + SphereColumns.Z * Lanes.COUNT] = lights[0].z;
+        firstLight.values[at + SphereColumns.RADIUS * Lanes.COUNT] =
+                input.bodies().size(lights[0].body);
+        firstLight.values[at + SphereColumns.BODY * Lanes.COUNT] = lights[0].body;
     }
 
     /** Whether the plane or a declined body may lie between a surface point and the light. */

@@ -79,17 +79,28 @@ public final class WideHierarchy {
     private int root;
     private int firstPlace;
 
+    /** Takes the part of the input's hierarchy over the spheres that cast shadows. */
     public void take(FrameInput input) {
-        Bodies bodies = input.bodies();
-        boolean same = sourceBodies == input.bodyCount()
-                && taken.filter(bodies::hasHierarchyOf).isPresent();
-        taken = Optional.of(bodies);
-        source = bodies.floats();
+        boolean same = taken.filter(input.bodies()::hasHierarchyOf).isPresent();
+        take(input, input.shadowRoot(), same);
+    }
+
+    /** Takes the part over the lights after the first; the input has such ones. */
+    @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
+    public void takeLights(FrameInput input) {
+        boolean same = source == input.bodies().floats();
+        take(input, input.lightRoot().orElseThrow(), same);
+    }
+
+    private void take(FrameInput input, int from, boolean sameHierarchy) {
+        boolean same = sourceBodies == input.bodyCount() && sameHierarchy;
+        taken = Optional.of(input.bodies());
+        source = input.bodies().floats();
         if (!same) {
             sourceBodies = input.bodyCount();
             nodes = 0;
             blocks = 0;
-            root = input.root();
+            root = from;
             firstPlace = input.bodies().spheres();
             int places = (source.length - root) / Layout.NODE_STRIDE;
             if (kinds.length < places) {
@@ -234,6 +245,11 @@ public final class WideHierarchy {
             link = LEAF | (blocks - block - 1) << BLOCKS_SHIFT | block;
         }
         return link;
+    }
+
+    /** Whether all spheres are in the first block, where a traversal would only take time. */
+    public boolean isOneBlock() {
+        return blocks == 1;
     }
 
     /** Whether a node's children are leaves. */

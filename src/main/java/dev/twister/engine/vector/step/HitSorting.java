@@ -35,7 +35,8 @@ public final class HitSorting {
     /** Fills the lists of skies, lights, grounds, spheres and surfaces. */
     public static void sort(Tile tile, Drawing drawing) {
         clear(tile);
-        boolean furtherLights = drawing.lightCount > 1;
+        int firstLight = drawing.input.bodies().room();
+        int endOfLights = drawing.input.bodies().sphereEnd();
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
@@ -46,9 +47,9 @@ public final class HitSorting {
                 tile.skies.add(at);
             }
             VectorMask<Float> light = hit.compare(VectorOperators.EQ, Layout.LIGHT);
-            if (furtherLights) {
-                light = light.or(hit.compare(VectorOperators.GE, drawing.secondLight)
-                        .and(hit.compare(VectorOperators.LT, drawing.endOfLights)));
+            if (drawing.lightSpheres) {
+                light = light.or(
+                        hit.compare(VectorOperators.GE, firstLight).and(hit.compare(VectorOperators.LT, endOfLights)));
             }
             if (light.anyTrue()) {
                 tile.lights.add(at);

@@ -18,8 +18,8 @@ public final class LightHit {
      */
     public static void add(Tile tile, Drawing drawing) {
         addFirst(tile, drawing.lights[0]);
-        if (drawing.lightCount > 1) {
-            endAtFurther(tile, drawing);
+        if (drawing.lightSpheres) {
+            endAtSpheres(tile, drawing);
         }
     }
 
@@ -40,18 +40,19 @@ public final class LightHit {
         }
     }
 
-    private static void endAtFurther(Tile tile, Drawing drawing) {
+    private static void endAtSpheres(Tile tile, Drawing drawing) {
         float[] t = tile.values;
+        float[] looks = drawing.input.bodies().looks();
         for (int k = 0; k < tile.lights.count; k++) {
             int at = tile.lights.places[k];
             for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
                 int hit = (int) t[pixel + Tile.HIT];
-                if (hit >= drawing.secondLight && hit < drawing.endOfLights) {
-                    ShadingLight light = drawing.lights[1 + hit - drawing.secondLight];
+                if (hit > Layout.LIGHT && drawing.input.isLight(hit)) {
+                    int look = Layout.LOOK_STRIDE * hit;
                     float throughput = t[pixel + Tile.THROUGHPUT];
-                    t[pixel + Tile.RED] += throughput * light.red;
-                    t[pixel + Tile.GREEN] += throughput * light.green;
-                    t[pixel + Tile.BLUE] += throughput * light.blue;
+                    t[pixel + Tile.RED] += throughput * looks[look];
+                    t[pixel + Tile.GREEN] += throughput * looks[look + 1];
+                    t[pixel + Tile.BLUE] += throughput * looks[look + 2];
                     t[pixel + Tile.THROUGHPUT] = 0f;
                     t[pixel + Tile.HIT] = Tile.ENDED;
                 }
