@@ -184,7 +184,7 @@ public final class Layout {
     /** How much of a metal the body is, in [0, 1]. */
     public static final int LOOK_METALLIC = 8;
 
-    /** 1 if in path tracing Fresnel's equations decide what the body reflects, else 0. */
+    /** {@link #IS_FRESNEL} of the body. */
     public static final int LOOK_FRESNEL = 9;
 
     /** Emitted radiance, three floats; a light has one in path tracing alone. */
@@ -204,6 +204,9 @@ public final class Layout {
 
     /** 1 for a light, which is drawn in its own color, else 0. */
     public static final int LOOK_LIGHT = 19;
+
+    /** The reflectivity beside a metal, for path tracing. */
+    public static final int LOOK_BESIDE_METAL = 20;
 
     public static final int LOOK_STRIDE = 24;
 
@@ -548,7 +551,10 @@ public final class Layout {
      */
     public static final int MESH_REACH = 72;
 
-    /** How much of a metal the surface is, and whether Fresnel's equations decide what it reflects (1, else 0). */
+    /**
+     * How much of a metal the surface is, and what decides what it reflects in path tracing: Fresnel's equations (1),
+     * the reflectivity, which a metallic part tints (0), or the reflectivity beside a metal (-1).
+     */
     public static final int METALLIC = 73;
 
     public static final int IS_FRESNEL = 74;

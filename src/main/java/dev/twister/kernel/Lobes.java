@@ -40,7 +40,11 @@ public final class Lobes {
         }
         int fresnel = path[Layout.IS_FRESNEL] > 0f ? 1 : 0;
         float metal = path[Layout.METALLIC];
-        float mirror = path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY;
+        float given = path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY;
+        int beside = path[Layout.IS_FRESNEL] < 0f ? 1 : 0;
+        float mirror = beside != 0 ? metal + (1f - metal) * given : given;
+        // Of what is reflected at all.
+        path[Layout.METALLIC] = beside != 0 ? metal / Math.max(mirror, LEAST_SQUARE) : metal;
         float transmission = path[Layout.TRANSMISSION];
         float constant = fresnel != 0 ? metal : mirror;
         path[Layout.PART_MIRROR] = constant;
@@ -92,11 +96,10 @@ public final class Lobes {
     /** The reflected part of one channel at a facet. */
     private static float reflected(float[] path, int channel, float cosine, float fresnel) {
         float away = 1f - cosine;
-        float schlick = path[Layout.IS_FRESNEL] > 0f ? away * away * away * away * away : 0f;
+        float schlick = path[Layout.IS_FRESNEL] != 0f ? away * away * away * away * away : 0f;
         float albedo = path[Layout.ALBEDO + channel];
-        float metal = path[Layout.IS_FRESNEL] > 0f
-                ? albedo + (1f - albedo) * schlick
-                : 1f + path[Layout.METALLIC] * (albedo - 1f);
+        float edge = albedo + (1f - albedo) * schlick;
+        float metal = path[Layout.IS_FRESNEL] > 0f ? edge : 1f + path[Layout.METALLIC] * (edge - 1f);
         return path[Layout.PART_MIRROR] * metal + path[Layout.PART_COAT] * fresnel;
     }
 

@@ -33,7 +33,12 @@ public final class SurfaceLook {
             path[Layout.TRANSMISSION] = looks[look + Layout.LOOK_TRANSMISSION];
             path[Layout.IOR] = looks[look + Layout.LOOK_IOR];
             path[Layout.METALLIC] = looks[look + Layout.LOOK_METALLIC];
-            path[Layout.IS_FRESNEL] = looks[look + Layout.LOOK_FRESNEL];
+            float fresnel = looks[look + Layout.LOOK_FRESNEL];
+            path[Layout.IS_FRESNEL] = fresnel;
+            // With maps, what is without path tracing follows from them.
+            int beside = (fresnel < 0f ? 1 : 0) & ((variant & (Variant.PATH | Variant.MAPS)) != 0 ? 1 : 0);
+            path[Layout.REFLECTIVITY] =
+                    beside != 0 ? looks[look + Layout.LOOK_BESIDE_METAL] : path[Layout.REFLECTIVITY];
             if ((variant & Variant.MAPS) == 0) {
                 multiplyByTexture(path, body, frame, looks, images, variant);
             }

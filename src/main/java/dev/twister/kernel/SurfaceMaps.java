@@ -36,7 +36,7 @@ final class SurfaceMaps {
                     multiply(path, row, place, looks, images);
                 }
             }
-            derive(path, row, looks);
+            derive(path, row, looks, variant);
         }
         path[Layout.PASSING] = path[Layout.ALBEDO];
         path[Layout.PASSING + 1] = path[Layout.ALBEDO + 1];
@@ -130,13 +130,17 @@ final class SurfaceMaps {
     }
 
     /** What follows from the mapped properties: a glTF material's reflectivity; an unlit surface's color is emitted. */
-    private static void derive(float[] path, int row, float[] looks) {
+    private static void derive(float[] path, int row, float[] looks, int variant) {
         float metallic = path[Layout.METALLIC];
         // As Material.whittedReflectivity has it; path tracing takes the reflectivity of other materials alone.
         int derived = (path[Layout.IS_FRESNEL] > 0f ? 1 : 0)
                 & ((metallic > 0f ? 1 : 0) | (path[Layout.TRANSMISSION] > 0f ? 0 : 1));
         path[Layout.REFLECTIVITY] =
                 derived != 0 ? (5f + 91f * metallic) * (1f - path[Layout.ROUGHNESS]) : path[Layout.REFLECTIVITY];
+        if ((variant & Variant.PATH) == 0) {
+            float metal = path[Layout.IS_FRESNEL] < 0f ? 96f * metallic * (1f - path[Layout.ROUGHNESS]) : 0f;
+            path[Layout.REFLECTIVITY] = Math.max(path[Layout.REFLECTIVITY], metal);
+        }
         if (looks[row + Layout.MAPS_UNLIT] > 0f) {
             for (int channel = 0; channel < 3; channel++) {
                 path[Layout.EMISSION + channel] = path[Layout.ALBEDO + channel];

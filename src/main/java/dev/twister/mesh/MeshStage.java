@@ -13,6 +13,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.light.Lights;
+import dev.twister.scene.property.LightProperties;
 import dev.twister.scene.property.SceneLimits;
 import dev.twister.scene.select.Title;
 import java.nio.file.Path;
@@ -92,9 +93,9 @@ public final class MeshStage {
         Vector3 half = bounds.half();
         double largest = 2 * Math.max(half.x(), Math.max(half.y(), half.z()));
         double scale = LARGEST_SIDE / largest;
-        if (!(scale >= SceneLimits.SCALE.min() && scale <= SceneLimits.SCALE.max())) {
+        if (!(scale >= SceneLimits.FACTOR.min() && scale <= SceneLimits.FACTOR.max())) {
             throw new MeshException(QuotedText.path(file) + ": the mesh is " + (float) largest + " m wide; expected "
-                    + LARGEST_SIDE / SceneLimits.SCALE.max() + " to " + LARGEST_SIDE / SceneLimits.SCALE.min()
+                    + LARGEST_SIDE / SceneLimits.FACTOR.max() + " to " + LARGEST_SIDE / SceneLimits.FACTOR.min()
                     + " m; scale it in a scene file or in the program that made it");
         }
         Vector3 center = bounds.center();
@@ -162,9 +163,9 @@ public final class MeshStage {
             List<Light> used = new ArrayList<>();
             for (Placed one : placed) {
                 Light light = one.light();
-                Light dim = light.withShare(SceneLimits.LIGHT_SHARE.clamp(dimmed * light.share()));
+                Light dim = light.withShare(LightProperties.SHARE.range().clamp(dimmed * light.share()));
                 used.add(light.strength()
-                        .map(strength -> dim.withStrength(SceneLimits.LIGHT_STRENGTH.clamp(dimmed * strength)))
+                        .map(strength -> dim.withStrength(LightProperties.STRENGTH.range().clamp(dimmed * strength)))
                         .orElse(dim));
             }
             return new Lights(used);

@@ -2,7 +2,8 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
-import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.property.CameraProperties;
+import dev.twister.scene.property.Copied;
 import java.util.List;
 
 /**
@@ -16,6 +17,7 @@ import java.util.List;
  * @param focusDistance how far ahead the plane is that is sharp, in meters, above 0
  * @param keyframes of a film, each later than the one before; empty where the camera stands still
  */
+@Copied
 public record Camera(
         Vector3 position,
         double yawDegrees,
@@ -23,9 +25,13 @@ public record Camera(
         double fieldOfViewDegrees,
         double aperture,
         double focusDistance,
-        List<CameraKeyframe> keyframes) {
+        List<CameraKeyframe> keyframes)
+        implements CameraCopy.With {
     /** A pinhole at the origin, level, along z, with a field of view of 60 degrees. */
     public static final Camera DEFAULT = new Camera(Vector3.ZERO, 0, 0, 60, 0, 10, List.of());
+
+    /** Of a scene file that says nothing of its camera: looks down at the origin from 8 m before it. */
+    public static final Camera USUAL = of(new Vector3(0, 2, -8), 0, 10, 45);
 
     public Camera {
         requireNonNull(position, "position");
@@ -38,12 +44,7 @@ public record Camera(
      * @throws SceneException if a value is out of range; the message names it
      */
     public void requireInRange() {
-        SceneLimits.POSITION.require("camera.position", position);
-        SceneLimits.YAW.require("camera.yaw", yawDegrees);
-        SceneLimits.PITCH.require("camera.pitch", pitchDegrees);
-        SceneLimits.FIELD_OF_VIEW.require("camera.fieldOfView", fieldOfViewDegrees);
-        SceneLimits.APERTURE.require("camera.aperture", aperture);
-        SceneLimits.FOCUS_DISTANCE.require("camera.focusDistance", focusDistance);
+        CameraProperties.ALL.forEach(property -> property.requireInRange("camera", this));
     }
 
     /** A camera whose other properties are the defaults; angles in degrees. */
@@ -52,40 +53,5 @@ public record Camera(
                 .withYawDegrees(yaw)
                 .withPitchDegrees(pitch)
                 .withFieldOfViewDegrees(fieldOfView);
-    }
-
-    public Camera withPosition(Vector3 newPosition) {
-        return new Camera(
-                newPosition, yawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, focusDistance, keyframes);
-    }
-
-    public Camera withYawDegrees(double newYawDegrees) {
-        return new Camera(
-                position, newYawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, focusDistance, keyframes);
-    }
-
-    public Camera withPitchDegrees(double newPitchDegrees) {
-        return new Camera(
-                position, yawDegrees, newPitchDegrees, fieldOfViewDegrees, aperture, focusDistance, keyframes);
-    }
-
-    public Camera withFieldOfViewDegrees(double newFieldOfViewDegrees) {
-        return new Camera(
-                position, yawDegrees, pitchDegrees, newFieldOfViewDegrees, aperture, focusDistance, keyframes);
-    }
-
-    public Camera withAperture(double newAperture) {
-        return new Camera(
-                position, yawDegrees, pitchDegrees, fieldOfViewDegrees, newAperture, focusDistance, keyframes);
-    }
-
-    public Camera withFocusDistance(double newFocusDistance) {
-        return new Camera(
-                position, yawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, newFocusDistance, keyframes);
-    }
-
-    public Camera withKeyframes(List<CameraKeyframe> newKeyframes) {
-        return new Camera(
-                position, yawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, focusDistance, newKeyframes);
     }
 }

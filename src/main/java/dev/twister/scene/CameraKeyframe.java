@@ -2,6 +2,7 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.property.Copied;
 import java.util.Optional;
 
 /**
@@ -14,13 +15,15 @@ import java.util.Optional;
  * @param fieldOfViewDegrees in [1, 179]; the camera's own where it is empty
  * @param focusDistance in meters, above 0; the camera's own where it is empty
  */
+@Copied
 public record CameraKeyframe(
         double seconds,
         Vector3 position,
         double yawDegrees,
         double pitchDegrees,
         Optional<Double> fieldOfViewDegrees,
-        Optional<Double> focusDistance) {
+        Optional<Double> focusDistance)
+        implements CameraKeyframeCopy.With {
     public static final CameraKeyframe DEFAULT =
             new CameraKeyframe(0, Vector3.ZERO, 0, 0, Optional.empty(), Optional.empty());
 
@@ -41,29 +44,11 @@ public record CameraKeyframe(
                 Optional.of(camera.focusDistance()));
     }
 
-    public CameraKeyframe withSeconds(double newSeconds) {
-        return new CameraKeyframe(newSeconds, position, yawDegrees, pitchDegrees, fieldOfViewDegrees, focusDistance);
-    }
-
-    public CameraKeyframe withPosition(Vector3 newPosition) {
-        return new CameraKeyframe(seconds, newPosition, yawDegrees, pitchDegrees, fieldOfViewDegrees, focusDistance);
-    }
-
-    public CameraKeyframe withYawDegrees(double newYawDegrees) {
-        return new CameraKeyframe(seconds, position, newYawDegrees, pitchDegrees, fieldOfViewDegrees, focusDistance);
-    }
-
-    public CameraKeyframe withPitchDegrees(double newPitchDegrees) {
-        return new CameraKeyframe(seconds, position, yawDegrees, newPitchDegrees, fieldOfViewDegrees, focusDistance);
-    }
-
     public CameraKeyframe withFieldOfViewDegrees(double newFieldOfViewDegrees) {
-        return new CameraKeyframe(
-                seconds, position, yawDegrees, pitchDegrees, Optional.of(newFieldOfViewDegrees), focusDistance);
+        return withFieldOfViewDegrees(Optional.of(newFieldOfViewDegrees));
     }
 
     public CameraKeyframe withFocusDistance(double newFocusDistance) {
-        return new CameraKeyframe(
-                seconds, position, yawDegrees, pitchDegrees, fieldOfViewDegrees, Optional.of(newFocusDistance));
+        return withFocusDistance(Optional.of(newFocusDistance));
     }
 }

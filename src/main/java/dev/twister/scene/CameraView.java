@@ -2,6 +2,7 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.property.Copied;
 import java.util.List;
 
 /**
@@ -10,20 +11,13 @@ import java.util.List;
  * @param name 1 to 200 characters; no other view of the scene has it
  * @param camera stands still: it has no keyframes
  */
-public record CameraView(String name, Camera camera) {
+@Copied
+public record CameraView(String name, Camera camera) implements CameraViewCopy.With {
     public static final CameraView DEFAULT = new CameraView("", Camera.DEFAULT);
 
     public CameraView {
         requireNonNull(name, "name");
         requireNonNull(camera, "camera");
         camera = camera.withKeyframes(List.of());
-    }
-
-    public CameraView withName(String newName) {
-        return new CameraView(newName, camera);
-    }
-
-    public CameraView withCamera(Camera newCamera) {
-        return new CameraView(name, newCamera);
     }
 }

@@ -2,6 +2,8 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.property.Copied;
+
 /**
  * The checkered square ground, centered on the y axis.
  *
@@ -10,7 +12,8 @@ import static java.util.Objects.requireNonNull;
  * @param oddColor albedo where {@code floor(x) + floor(z)} is odd
  * @param material its color is the albedo elsewhere
  */
-public record Ground(double size, double height, Rgb oddColor, Material material) {
+@Copied
+public record Ground(double size, double height, Rgb oddColor, Material material) implements GroundCopy.With {
     /** A matte square of 20 m at height 0, white and gray. */
     public static final Ground DEFAULT = new Ground(20, 0, new Rgb(0.5, 0.5, 0.5), Material.DEFAULT);
 
@@ -35,24 +38,8 @@ public record Ground(double size, double height, Rgb oddColor, Material material
         return material.reflectivity();
     }
 
-    public Ground withSize(double newSize) {
-        return new Ground(newSize, height, oddColor, material);
-    }
-
-    public Ground withHeight(double newHeight) {
-        return new Ground(size, newHeight, oddColor, material);
-    }
-
-    public Ground withMaterial(Material newMaterial) {
-        return new Ground(size, height, oddColor, newMaterial);
-    }
-
     public Ground withColors(Rgb newEvenColor, Rgb newOddColor) {
         return new Ground(size, height, newOddColor, material.withColor(newEvenColor));
-    }
-
-    public Ground withOddColor(Rgb newOddColor) {
-        return new Ground(size, height, newOddColor, material);
     }
 
     public Ground withReflectivity(double newReflectivity) {

@@ -2,6 +2,7 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.property.Copied;
 import java.util.List;
 
 /**
@@ -11,7 +12,8 @@ import java.util.List;
  * @param value one number, or three
  * @param easing how it changes from here to the next keyframe
  */
-public record Keyframe(double seconds, List<Double> value, Easing easing) {
+@Copied
+public record Keyframe(double seconds, List<Double> value, Easing easing) implements KeyframeCopy.With {
     /** Has the values of the fields that a file leaves out. */
     public static final Keyframe DEFAULT = new Keyframe(0, List.of(0.0), Easing.SMOOTH);
 
@@ -33,17 +35,5 @@ public record Keyframe(double seconds, List<Double> value, Easing easing) {
     /** A color at a time, which changes smoothly. */
     public static Keyframe of(double seconds, Rgb color) {
         return new Keyframe(seconds, List.of(color.red(), color.green(), color.blue()), Easing.SMOOTH);
-    }
-
-    public Keyframe withSeconds(double newSeconds) {
-        return new Keyframe(newSeconds, value, easing);
-    }
-
-    public Keyframe withValue(List<Double> newValue) {
-        return new Keyframe(seconds, newValue, easing);
-    }
-
-    public Keyframe withEasing(Easing newEasing) {
-        return new Keyframe(seconds, value, newEasing);
     }
 }

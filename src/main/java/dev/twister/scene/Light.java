@@ -3,6 +3,7 @@ package dev.twister.scene;
 import static java.util.Objects.requireNonNull;
 
 import dev.twister.scene.light.LightGroup;
+import dev.twister.scene.property.Copied;
 import dev.twister.scene.select.Tag;
 import java.util.Optional;
 
@@ -17,8 +18,10 @@ import java.util.Optional;
  * @param share factor, 0 or more, of what the light adds to the brightness of matte surfaces without path tracing
  * @param group name of the layer that its light goes to, see {@link LightGroup}
  */
+@Copied
 public record Light(
-        Vector3 position, double radius, Rgb color, Optional<Double> strength, double share, String group, Tag tag) {
+        Vector3 position, double radius, Rgb color, Optional<Double> strength, double share, String group, Tag tag)
+        implements LightCopy.With {
     /** A white light of radius 1, 10 m above the origin. */
     public static final Light DEFAULT =
             new Light(new Vector3(0, 10, 0), 1, new Rgb(1, 1, 1), Optional.empty(), 1, LightGroup.NONE, Tag.NONE);
@@ -36,36 +39,12 @@ public record Light(
         return DEFAULT.withPosition(position).withRadius(radius).withColor(color);
     }
 
-    public Light withPosition(Vector3 newPosition) {
-        return new Light(newPosition, radius, color, strength, share, group, tag);
-    }
-
-    public Light withRadius(double newRadius) {
-        return new Light(position, newRadius, color, strength, share, group, tag);
-    }
-
-    public Light withColor(Rgb newColor) {
-        return new Light(position, radius, newColor, strength, share, group, tag);
-    }
-
     public Light withStrength(double newStrength) {
-        return new Light(position, radius, color, Optional.of(newStrength), share, group, tag);
+        return withStrength(Optional.of(newStrength));
     }
 
     /** As bright in path tracing as without it. */
     public Light withoutStrength() {
-        return new Light(position, radius, color, Optional.empty(), share, group, tag);
-    }
-
-    public Light withShare(double newShare) {
-        return new Light(position, radius, color, strength, newShare, group, tag);
-    }
-
-    public Light withGroup(String newGroup) {
-        return new Light(position, radius, color, strength, share, newGroup, tag);
-    }
-
-    public Light withTag(Tag newTag) {
-        return new Light(position, radius, color, strength, share, group, newTag);
+        return withStrength(Optional.empty());
     }
 }

@@ -6,6 +6,8 @@ import dev.twister.scene.material.Alpha;
 import dev.twister.scene.material.Attenuation;
 import dev.twister.scene.material.Emission;
 import dev.twister.scene.material.Maps;
+import dev.twister.scene.material.Reflectance;
+import dev.twister.scene.property.Copied;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.Optional;
@@ -16,8 +18,10 @@ import java.util.Set;
  *
  * @param color albedo
  * @param reflectivity p in [0, 128]: the Blinn-Phong exponent; p / 128 is the mirror ratio
+ * @param reflectance what reflectivity and metallic are to each other
  * @param roughness r in [0, 1] of the surface that reflects and refracts: 0 is smooth
- * @param metallic M in [0, 1]: how much of a metal it is, whose reflections have its color
+ * @param metallic M in [0, 1]: how much of a metal it is, whose reflections have its color; the rest is what the
+ *     material is otherwise
  * @param transmission t in [0, 1]: how much of the light that is not mirrored passes the surface
  * @param ior index of refraction against what is around the body, in [1, 4]
  * @param texture a picture that the color is multiplied by, already resolved against the scene file's folder
@@ -27,9 +31,11 @@ import java.util.Set;
  * @param maps images that vary its properties
  * @param unlit whether it shows its color as it is, without light
  */
+@Copied
 public record Material(
         Rgb color,
         double reflectivity,
+        Reflectance reflectance,
         double roughness,
         double metallic,
         double transmission,
@@ -39,11 +45,16 @@ public record Material(
         Attenuation attenuation,
         Alpha alpha,
         Maps maps,
-        boolean unlit) {
+        boolean unlit)
+        implements MaterialCopy.With {
+    /** Of a smooth metal, without path tracing. */
+    private static final double METAL_REFLECTIVITY = 96;
+
     /** Matte and white, with the index of glass; has the values of the fields that a file leaves out. */
     public static final Material DEFAULT = new Material(
             new Rgb(1, 1, 1),
             0,
+            Reflectance.MIXED,
             0,
             0,
             0,
@@ -57,211 +68,23 @@ public record Material(
 
     public Material {
         requireNonNull(color, "color");
+        requireNonNull(reflectance, "reflectance");
         requireNonNull(texture, "texture");
         requireNonNull(emission, "emission");
         requireNonNull(attenuation, "attenuation");
         requireNonNull(alpha, "alpha");
         requireNonNull(maps, "maps");
-    }
-
-    public Material withColor(Rgb newColor) {
-        return new Material(
-                newColor,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withReflectivity(double newReflectivity) {
-        return new Material(
-                color,
-                newReflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withRoughness(double newRoughness) {
-        return new Material(
-                color,
-                reflectivity,
-                newRoughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withMetallic(double newMetallic) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                newMetallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withTransmission(double newTransmission) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                newTransmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withIor(double newIor) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                newIor,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
+        if (reflectance == Reflectance.CONSTANT && reflectivity > 0) {
+            reflectance = Reflectance.MIXED;
+        }
     }
 
     public Material withTexture(Path newTexture) {
-        return textured(Optional.of(newTexture));
+        return withTexture(Optional.of(newTexture));
     }
 
     public Material withoutTexture() {
-        return textured(Optional.empty());
-    }
-
-    private Material textured(Optional<Path> newTexture) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                newTexture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withEmission(Emission newEmission) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                newEmission,
-                attenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withAttenuation(Attenuation newAttenuation) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                newAttenuation,
-                alpha,
-                maps,
-                unlit);
-    }
-
-    public Material withAlpha(Alpha newAlpha) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                newAlpha,
-                maps,
-                unlit);
-    }
-
-    public Material withMaps(Maps newMaps) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                newMaps,
-                unlit);
-    }
-
-    public Material withUnlit(boolean newUnlit) {
-        return new Material(
-                color,
-                reflectivity,
-                roughness,
-                metallic,
-                transmission,
-                ior,
-                texture,
-                emission,
-                attenuation,
-                alpha,
-                maps,
-                newUnlit);
+        return withTexture(Optional.empty());
     }
 
     /** The files of its texture and its maps. */
@@ -279,14 +102,22 @@ public record Material(
 
     /** Whether, in path tracing, Fresnel's equations decide what it reflects: glTF's material, without reflectivity. */
     public boolean isByFresnel() {
-        return reflectivity == 0 && (metallic > 0 || roughness > 0);
+        return reflectivity == 0 && reflectance != Reflectance.CONSTANT && (metallic > 0 || roughness > 0);
+    }
+
+    /** Whether, in path tracing, a metal is mixed with a constant reflection. */
+    public boolean isMetalOverMirror() {
+        return !isByFresnel() && reflectance != Reflectance.TINTED && metallic > 0;
     }
 
     /**
-     * The reflectivity without path tracing, where a glTF material shines the more the smoother it is; glass reflects
-     * by its index of refraction.
+     * The reflectivity without path tracing, where a glTF material and a metal shine the more the smoother they are;
+     * glass reflects by its index of refraction.
      */
     public double whittedReflectivity() {
+        if (isMetalOverMirror()) {
+            return Math.max(reflectivity, METAL_REFLECTIVITY * metallic * (1 - roughness));
+        }
         boolean derived = isByFresnel() && (metallic > 0 || transmission == 0);
         return derived ? (5 + 91 * metallic) * (1 - roughness) : reflectivity;
     }

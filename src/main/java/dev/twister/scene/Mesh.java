@@ -2,6 +2,7 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.property.Copied;
 import dev.twister.scene.select.Tag;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -16,6 +17,7 @@ import java.util.Optional;
  *     smooth surface, in [0, 180]; 0 leaves every triangle flat
  * @param material what it is made of, in place of what the file says
  */
+@Copied
 public record Mesh(
         Geometry geometry,
         Vector3 position,
@@ -24,7 +26,7 @@ public record Mesh(
         double smoothDegrees,
         Optional<Material> material,
         Tag tag)
-        implements Body {
+        implements Body, MeshCopy.With {
     /** As its file has it; has the values of the fields that a scene file leaves out. */
     public static final Mesh DEFAULT =
             new Mesh(new Geometry.OfFile(Path.of("")), Vector3.ZERO, Rotation.NONE, 1, 0, Optional.empty(), Tag.NONE);
@@ -65,34 +67,18 @@ public record Mesh(
         return material.orElse(Material.DEFAULT);
     }
 
-    public Mesh withGeometry(Geometry newGeometry) {
-        return new Mesh(newGeometry, position, rotation, scale, smoothDegrees, material, tag);
-    }
-
     @Override
     public Mesh withPosition(Vector3 newPosition) {
         return new Mesh(geometry, newPosition, rotation, scale, smoothDegrees, material, tag);
     }
 
-    public Mesh withRotation(Rotation newRotation) {
-        return new Mesh(geometry, position, newRotation, scale, smoothDegrees, material, tag);
-    }
-
-    public Mesh withScale(double newScale) {
-        return new Mesh(geometry, position, rotation, newScale, smoothDegrees, material, tag);
-    }
-
-    public Mesh withSmoothDegrees(double newSmoothDegrees) {
-        return new Mesh(geometry, position, rotation, scale, newSmoothDegrees, material, tag);
-    }
-
     public Mesh withMaterial(Material newMaterial) {
-        return new Mesh(geometry, position, rotation, scale, smoothDegrees, Optional.of(newMaterial), tag);
+        return withMaterial(Optional.of(newMaterial));
     }
 
     /** Made of what its file says. */
     public Mesh withoutMaterial() {
-        return new Mesh(geometry, position, rotation, scale, smoothDegrees, Optional.empty(), tag);
+        return withMaterial(Optional.empty());
     }
 
     @Override

@@ -2,6 +2,8 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.property.Copied;
+
 /**
  * How bodies move. Spheres have one density, so their mass is as their volume.
  *
@@ -12,36 +14,14 @@ import static java.util.Objects.requireNonNull;
  * @param walls whether four walls without an upper end stand on the plane's border
  * @param solidLight whether lights are bodies that can be hit, at rest for ever; otherwise spheres pass through them
  */
+@Copied
 public record Physics(
-        Vector3 gravity, double elasticity, double friction, double damping, boolean walls, boolean solidLight) {
+        Vector3 gravity, double elasticity, double friction, double damping, boolean walls, boolean solidLight)
+        implements PhysicsCopy.With {
     /** What a scene file that is silent gets. */
     public static final Physics DEFAULT = new Physics(new Vector3(0, -9.81, 0), 0.5, 0.3, 0, true, false);
 
     public Physics {
         requireNonNull(gravity, "gravity");
-    }
-
-    public Physics withGravity(Vector3 newGravity) {
-        return new Physics(newGravity, elasticity, friction, damping, walls, solidLight);
-    }
-
-    public Physics withElasticity(double newElasticity) {
-        return new Physics(gravity, newElasticity, friction, damping, walls, solidLight);
-    }
-
-    public Physics withFriction(double newFriction) {
-        return new Physics(gravity, elasticity, newFriction, damping, walls, solidLight);
-    }
-
-    public Physics withDamping(double newDamping) {
-        return new Physics(gravity, elasticity, friction, newDamping, walls, solidLight);
-    }
-
-    public Physics withWalls(boolean newWalls) {
-        return new Physics(gravity, elasticity, friction, damping, newWalls, solidLight);
-    }
-
-    public Physics withSolidLight(boolean newSolidLight) {
-        return new Physics(gravity, elasticity, friction, damping, walls, newSolidLight);
     }
 }

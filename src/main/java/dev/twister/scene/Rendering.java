@@ -2,7 +2,8 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
-import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.property.Copied;
+import dev.twister.scene.property.SceneProperties;
 
 /**
  * How a picture is made; a scene file gives the defaults, a command line or a panel overrides them.
@@ -20,6 +21,7 @@ import dev.twister.scene.property.SceneLimits;
  * @param clamp for path tracing: limit of the luminance of light that reaches the eye over more than one surface; 0 for
  *     none
  */
+@Copied
 public record Rendering(
         int width,
         int height,
@@ -30,7 +32,8 @@ public record Rendering(
         ToneMap toneMap,
         boolean srgb,
         Integrator integrator,
-        double clamp) {
+        double clamp)
+        implements RenderingCopy.With {
     public static final int MAX_SIDE = 16384;
     public static final int MAX_SHADOW_SAMPLES = 1024;
     public static final int MAX_BOUNCES = 64;
@@ -53,70 +56,14 @@ public record Rendering(
      * @throws SceneException if a value is out of range; the message names it
      */
     public void requireInRange() {
-        SceneLimits.SIDE.require("rendering.width", width);
-        SceneLimits.SIDE.require("rendering.height", height);
-        SceneLimits.SHADOW_SAMPLES.require("rendering.shadowSamples", shadowSamples);
-        SceneLimits.BOUNCES.require("rendering.bounces", bounces);
-        SceneLimits.SAMPLES_PER_PIXEL.require("rendering.samplesPerPixel", samplesPerPixel);
-        SceneLimits.EXPOSURE.require("rendering.exposure", exposure);
-        SceneLimits.CLAMP.require("rendering.clamp", clamp);
+        SceneProperties.RENDERING.forEach(property -> property.requireInRange("rendering", this));
     }
 
     public Rendering withSize(int newWidth, int newHeight) {
         return withWidth(newWidth).withHeight(newHeight);
     }
 
-    public Rendering withWidth(int newWidth) {
-        return new Rendering(
-                newWidth, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
-    }
-
-    public Rendering withHeight(int newHeight) {
-        return new Rendering(
-                width, newHeight, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
-    }
-
-    public Rendering withShadowSamples(int newShadowSamples) {
-        return new Rendering(
-                width, height, newShadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
-    }
-
-    public Rendering withBounces(int newBounces) {
-        return new Rendering(
-                width, height, shadowSamples, newBounces, samplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
-    }
-
-    public Rendering withSamplesPerPixel(int newSamplesPerPixel) {
-        return new Rendering(
-                width, height, shadowSamples, bounces, newSamplesPerPixel, exposure, toneMap, srgb, integrator, clamp);
-    }
-
-    public Rendering withExposure(double newExposure) {
-        return new Rendering(
-                width, height, shadowSamples, bounces, samplesPerPixel, newExposure, toneMap, srgb, integrator, clamp);
-    }
-
-    public Rendering withToneMap(ToneMap newToneMap) {
-        return new Rendering(
-                width, height, shadowSamples, bounces, samplesPerPixel, exposure, newToneMap, srgb, integrator, clamp);
-    }
-
-    public Rendering withSrgb(boolean newSrgb) {
-        return new Rendering(
-                width, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, newSrgb, integrator, clamp);
-    }
-
     public Rendering withTone(double newExposure, ToneMap newToneMap, boolean newSrgb) {
         return withExposure(newExposure).withToneMap(newToneMap).withSrgb(newSrgb);
-    }
-
-    public Rendering withIntegrator(Integrator newIntegrator) {
-        return new Rendering(
-                width, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, newIntegrator, clamp);
-    }
-
-    public Rendering withClamp(double newClamp) {
-        return new Rendering(
-                width, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb, integrator, newClamp);
     }
 }

@@ -2,6 +2,7 @@ package dev.twister.scene;
 
 import dev.twister.scene.generate.Pour;
 import dev.twister.scene.light.Lights;
+import dev.twister.scene.property.Copied;
 import dev.twister.scene.select.SceneBodies;
 import dev.twister.scene.select.Title;
 import java.nio.file.Path;
@@ -21,6 +22,7 @@ import java.util.stream.Stream;
  * @param pour spheres that come one after the other while bodies move
  * @param tracks what changes in a film besides the camera's place and what physics moves
  */
+@Copied
 public record Scene(
         Title title,
         Camera camera,
@@ -34,9 +36,10 @@ public record Scene(
         Rendering rendering,
         Physics physics,
         Optional<Pour> pour,
-        List<Track> tracks) {
+        List<Track> tracks)
+        implements SceneCopy.With {
     /** The newest version of the file format; the older ones are read too. */
-    public static final int VERSION = 3;
+    public static final int VERSION = 4;
 
     public Scene {
         materials = Collections.unmodifiableSequencedMap(new LinkedHashMap<>(materials));
@@ -86,127 +89,11 @@ public record Scene(
         return withBodies(bodies.withMeshes(meshes));
     }
 
-    public Scene withTitle(Title newTitle) {
-        return new Scene(
-                newTitle, camera, views, lights, materials, ground, bodies, sky, shading, rendering, physics, pour,
-                tracks);
-    }
-
-    public Scene withCamera(Camera newCamera) {
-        return new Scene(
-                title, newCamera, views, lights, materials, ground, bodies, sky, shading, rendering, physics, pour,
-                tracks);
-    }
-
-    public Scene withViews(List<CameraView> newViews) {
-        return new Scene(
-                title, camera, newViews, lights, materials, ground, bodies, sky, shading, rendering, physics, pour,
-                tracks);
-    }
-
-    public Scene withLights(Lights newLights) {
-        return new Scene(
-                title, camera, views, newLights, materials, ground, bodies, sky, shading, rendering, physics, pour,
-                tracks);
-    }
-
-    public Scene withMaterials(SequencedMap<String, Material> newMaterials) {
-        return new Scene(
-                title,
-                camera,
-                views,
-                lights,
-                newMaterials,
-                ground,
-                bodies,
-                sky,
-                shading,
-                rendering,
-                physics,
-                pour,
-                tracks);
-    }
-
-    public Scene withGround(Ground newGround) {
-        return new Scene(
-                title, camera, views, lights, materials, newGround, bodies, sky, shading, rendering, physics, pour,
-                tracks);
-    }
-
-    public Scene withBodies(SceneBodies newBodies) {
-        return new Scene(
-                title, camera, views, lights, materials, ground, newBodies, sky, shading, rendering, physics, pour,
-                tracks);
-    }
-
-    public Scene withSky(Sky newSky) {
-        return new Scene(
-                title, camera, views, lights, materials, ground, bodies, newSky, shading, rendering, physics, pour,
-                tracks);
-    }
-
-    public Scene withShading(Shading newShading) {
-        return new Scene(
-                title,
-                camera,
-                views,
-                lights,
-                materials,
-                ground,
-                bodies,
-                sky,
-                newShading,
-                rendering,
-                physics,
-                pour,
-                tracks);
-    }
-
-    public Scene withRendering(Rendering newRendering) {
-        return new Scene(
-                title,
-                camera,
-                views,
-                lights,
-                materials,
-                ground,
-                bodies,
-                sky,
-                shading,
-                newRendering,
-                physics,
-                pour,
-                tracks);
-    }
-
-    public Scene withPhysics(Physics newPhysics) {
-        return new Scene(
-                title,
-                camera,
-                views,
-                lights,
-                materials,
-                ground,
-                bodies,
-                sky,
-                shading,
-                rendering,
-                newPhysics,
-                pour,
-                tracks);
-    }
-
     public Scene withPour(Pour newPour) {
         Optional<Pour> coming = Optional.of(newPour);
         return new Scene(
                 title, camera, views, lights, materials, ground, bodies, sky, shading, rendering, physics, coming,
                 tracks);
-    }
-
-    public Scene withTracks(List<Track> newTracks) {
-        return new Scene(
-                title, camera, views, lights, materials, ground, bodies, sky, shading, rendering, physics, pour,
-                newTracks);
     }
 
     /** Without the track of a property, if there is one. */

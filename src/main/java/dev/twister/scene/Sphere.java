@@ -2,6 +2,7 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.property.Copied;
 import dev.twister.scene.select.Tag;
 
 /**
@@ -10,7 +11,8 @@ import dev.twister.scene.select.Tag;
  * @param position its center, in meters
  * @param radius in meters, above 0
  */
-public record Sphere(Vector3 position, double radius, Material material, Tag tag) implements Body {
+@Copied
+public record Sphere(Vector3 position, double radius, Material material, Tag tag) implements Body, SphereCopy.With {
     /** A matte white ball of radius 1 at the origin; has the values of the fields that {@link #of} leaves out. */
     public static final Sphere DEFAULT = new Sphere(Vector3.ZERO, 1, Material.DEFAULT, Tag.NONE);
 
@@ -45,14 +47,6 @@ public record Sphere(Vector3 position, double radius, Material material, Tag tag
     @Override
     public Sphere withPosition(Vector3 newPosition) {
         return new Sphere(newPosition, radius, material, tag);
-    }
-
-    public Sphere withRadius(double newRadius) {
-        return new Sphere(position, newRadius, material, tag);
-    }
-
-    public Sphere withMaterial(Material newMaterial) {
-        return new Sphere(position, radius, newMaterial, tag);
     }
 
     @Override

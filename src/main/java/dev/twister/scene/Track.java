@@ -2,18 +2,21 @@ package dev.twister.scene;
 
 import static java.util.Objects.requireNonNull;
 
-import dev.twister.scene.property.AnimatedProperty;
+import dev.twister.scene.property.Copied;
+import dev.twister.scene.property.TrackProperties;
 import java.util.List;
 
 /**
  * How a property of a part of a scene changes in a film. Before its first keyframe and after its last one the property
  * keeps their values, unless it loops.
  *
- * @param property its name, one of {@link AnimatedProperty#of}
+ * @param property its name, one of {@link TrackProperties#of}
  * @param keyframes at least one, each later than the one before
  * @param loop whether it begins again with the first keyframe at the time of the last one, and so on
  */
-public record Track(TrackTarget target, String property, List<Keyframe> keyframes, boolean loop) {
+@Copied
+public record Track(TrackTarget target, String property, List<Keyframe> keyframes, boolean loop)
+        implements TrackCopy.With {
     /** No track of a scene; has the values of the fields that a file leaves out. */
     public static final Track DEFAULT = new Track(TrackTarget.CAMERA, "", List.of(), false);
 
@@ -26,22 +29,6 @@ public record Track(TrackTarget target, String property, List<Keyframe> keyframe
     /** A track that does not loop. */
     public static Track of(TrackTarget target, String property, Keyframe... keyframes) {
         return new Track(target, property, List.of(keyframes), false);
-    }
-
-    public Track withTarget(TrackTarget newTarget) {
-        return new Track(newTarget, property, keyframes, loop);
-    }
-
-    public Track withProperty(String newProperty) {
-        return new Track(target, newProperty, keyframes, loop);
-    }
-
-    public Track withKeyframes(List<Keyframe> newKeyframes) {
-        return new Track(target, property, newKeyframes, loop);
-    }
-
-    public Track withLoop(boolean newLoop) {
-        return new Track(target, property, keyframes, newLoop);
     }
 
     /** Whether it is the track of that property. */

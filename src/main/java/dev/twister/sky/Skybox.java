@@ -14,6 +14,11 @@ package dev.twister.sky;
 public record Skybox(int width, int height, float[] radiance, float[] opacity) implements TextureImage {
     private static final float[] OPAQUE = {};
 
+    /** Gray all around. */
+    static Skybox uniform(float radiance) {
+        return new Skybox(1, 1, new float[] {radiance, radiance, radiance});
+    }
+
     public Skybox {
         if (width < 1 || height < 1 || radiance.length != 3L * width * height) {
             throw new IllegalArgumentException(

@@ -22,6 +22,9 @@ import java.util.function.Consumer;
  * first bytes, whatever their names end in.
  */
 public final class SkyboxReader {
+    /** Radiance of the sky of a scene that names none. */
+    private static final float LIGHT_GRAY = 0.8f;
+
     /** What a file's bytes are made a picture by. */
     interface Decoder<T> {
         T decode(FileBytes file, Consumer<String> warnings) throws IOException;
@@ -44,12 +47,12 @@ public final class SkyboxReader {
      * radiance above 1. PNG, JPEG and WebP are made linear, 0 to 1, by what they say of their colors, as sRGB where
      * they say nothing, over black where they are transparent, and turned upright by their EXIF orientation.
      *
-     * @param file a file of the default file system
+     * @param file a file of the default file system; an empty path is a light gray sky
      * @param warnings told of what the file says and is not used; one line each that names the file
      * @throws SkyException where there is no such file, it is not a panorama of these kinds, is damaged or too large
      */
     public static Skybox read(Path file, Consumer<String> warnings) {
-        return read(file, warnings, SkyboxReader::decode);
+        return file.toString().isEmpty() ? Skybox.uniform(LIGHT_GRAY) : read(file, warnings, SkyboxReader::decode);
     }
 
     public static <T> T read(Path file, Consumer<String> warnings, Decoder<T> decoder) {

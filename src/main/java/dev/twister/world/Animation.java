@@ -4,7 +4,11 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.light.Lights;
-import dev.twister.scene.property.AnimatedProperty;
+import dev.twister.scene.property.CameraProperties;
+import dev.twister.scene.property.LightProperties;
+import dev.twister.scene.property.Property;
+import dev.twister.scene.property.SceneProperties;
+import dev.twister.scene.property.TrackProperties;
 import dev.twister.world.animation.CameraPath;
 import dev.twister.world.animation.TrackCurve;
 import java.util.ArrayList;
@@ -76,12 +80,12 @@ public final class Animation {
         List<Track> ofMeshes = new ArrayList<>();
         for (Track track : scene.tracks()) {
             switch (track.target().kind()) {
-                case CAMERA -> now = now.withCamera(set(now.camera(), AnimatedProperty.CAMERA, track, seconds));
-                case PLANE -> now = now.withGround(set(now.ground(), AnimatedProperty.PLANE, track, seconds));
-                case SKY -> now = now.withSky(set(now.sky(), AnimatedProperty.SKY, track, seconds));
-                case SHADING -> now = now.withShading(set(now.shading(), AnimatedProperty.SHADING, track, seconds));
+                case CAMERA -> now = now.withCamera(set(now.camera(), CameraProperties.ALL, track, seconds));
+                case PLANE -> now = now.withGround(set(now.ground(), TrackProperties.PLANE, track, seconds));
+                case SKY -> now = now.withSky(set(now.sky(), SceneProperties.SKY, track, seconds));
+                case SHADING -> now = now.withShading(set(now.shading(), SceneProperties.SHADING, track, seconds));
                 case RENDERING ->
-                    now = now.withRendering(set(now.rendering(), AnimatedProperty.RENDERING, track, seconds));
+                    now = now.withRendering(set(now.rendering(), SceneProperties.RENDERING, track, seconds));
                 case LIGHT -> ofLights.add(track);
                 case SPHERE -> ofSpheres.add(track);
                 case MESH -> ofMeshes.add(track);
@@ -89,16 +93,15 @@ public final class Animation {
         }
         // A list that stays the same one is compared at once, however long it is.
         if (!ofLights.isEmpty()) {
-            now = now.withLights(new Lights(set(now.lights().list(), AnimatedProperty.LIGHT, ofLights, seconds)));
+            now = now.withLights(new Lights(set(now.lights().list(), LightProperties.ALL, ofLights, seconds)));
         }
         if (!ofSpheres.isEmpty()) {
-            now = now.withSpheres(set(now.spheres(), AnimatedProperty.SPHERE, ofSpheres, seconds));
+            now = now.withSpheres(set(now.spheres(), TrackProperties.SPHERE, ofSpheres, seconds));
         }
-        return ofMeshes.isEmpty() ? now : now.withMeshes(set(now.meshes(), AnimatedProperty.MESH, ofMeshes, seconds));
+        return ofMeshes.isEmpty() ? now : now.withMeshes(set(now.meshes(), TrackProperties.MESH, ofMeshes, seconds));
     }
 
-    private static <T> List<T> set(
-            List<T> items, List<AnimatedProperty<T>> properties, List<Track> tracks, double seconds) {
+    private static <T> List<T> set(List<T> items, List<Property<T, ?>> properties, List<Track> tracks, double seconds) {
         List<T> changed = new ArrayList<>(items);
         for (Track track : tracks) {
             TrackTarget target = track.target();
@@ -107,11 +110,11 @@ public final class Animation {
         return changed.equals(items) ? items : changed;
     }
 
-    private static <T> T set(T item, List<AnimatedProperty<T>> properties, Track track, double seconds) {
+    private static <T> T set(T item, List<Property<T, ?>> properties, Track track, double seconds) {
         return properties.stream()
                 .filter(property -> property.name().equals(track.property()))
                 .findFirst()
-                .map(property -> property.write(item, TrackCurve.at(track, seconds)))
+                .map(property -> property.withNumbers(item, TrackCurve.at(track, seconds)))
                 .orElse(item);
     }
 }

@@ -16,7 +16,7 @@ import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.picking.BodyOutline;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PictureView;
-import dev.twister.gui.property.CameraNumbers;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Light;
@@ -467,7 +467,7 @@ class BodiesTest {
                 "aperture", now -> now.withCamera(now.camera().withAperture(0.1))));
         driver.awaitCurrentPicture();
         driver.await(() -> driver.text("facts")
-                .endsWith("focus at " + CameraNumbers.FOCUS_DISTANCE.scale().text(focus) + " m"));
+                .endsWith("focus at " + PropertyNumbers.FOCUS_DISTANCE.scale().text(focus) + " m"));
         driver.run(driver.studio::undo);
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(before);

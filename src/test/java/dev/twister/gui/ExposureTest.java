@@ -6,7 +6,7 @@ import dev.twister.engine.ExposureMeter;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.picture.ClippingView;
-import dev.twister.gui.property.SceneNumbers;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.image.Histogram;
 import dev.twister.scene.Scene;
 import dev.twister.world.StageOrView;
@@ -102,7 +102,7 @@ class ExposureTest {
         double set = WindowDriver.call(driver.studio::scene).rendering().exposure();
         assertThat(set).isCloseTo(measured, Offset.offset(0.1));
         assertThat(driver.notice())
-                .isEqualTo("Exposure: " + SceneNumbers.EXPOSURE.scale().text(set) + " stops");
+                .isEqualTo("Exposure: " + PropertyNumbers.EXPOSURE.scale().text(set) + " stops");
         driver.type(Command.UNDO.keys());
         assertThat(WindowDriver.call(driver.studio::scene).rendering().exposure())
                 .isEqualTo(6);
@@ -127,7 +127,7 @@ class ExposureTest {
     }
 
     private void expose(double stops) {
-        driver.run(() -> driver.studio.edit("exposure", scene -> SceneNumbers.EXPOSURE.write(scene, stops)));
+        driver.run(() -> driver.studio.edit("exposure", scene -> PropertyNumbers.EXPOSURE.write(scene, stops)));
         driver.awaitCurrentPicture();
     }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.MaterialPreset;
 import dev.twister.gui.edit.TagEdits;
 import dev.twister.gui.files.AutosaveFolder;
 import dev.twister.gui.panel.PanelRow;
@@ -124,12 +125,12 @@ class MaterialTest {
     void aPresetIsOneEditAndTheRowsShowIt() {
         select(FIRST + 2);
         Scene before = now();
-        ComboBox<Optional<BodyMaterials.Preset>> box = box("Preset");
-        driver.run(() -> box.setValue(Optional.of(BodyMaterials.Preset.DIAMOND)));
+        ComboBox<Optional<MaterialPreset>> box = box("Preset");
+        driver.run(() -> box.setValue(Optional.of(MaterialPreset.DIAMOND)));
 
         assertThat(material(FIRST + 2).ior()).isEqualTo(2.42);
         assertThat(unit()).isEqualTo("% (p 0)");
-        assertThat(WindowDriver.call(box::getValue)).contains(BodyMaterials.Preset.DIAMOND);
+        assertThat(WindowDriver.call(box::getValue)).contains(MaterialPreset.DIAMOND);
         driver.run(driver.studio::undo);
         assertThat(now()).isEqualTo(before);
         driver.run(driver.studio::redo);
@@ -224,10 +225,10 @@ class MaterialTest {
         OpenedScene opened = new OpenedScene(file, scene());
         try (WindowDriver own = WindowDriver.open(opened, new AutosaveFolder(Optional.of(autosaves), Duration.ZERO))) {
             own.run(() -> own.studio.edit(
-                    "preset", scene -> BodyMaterials.edited(scene, FIRST, BodyMaterials.Preset.GLASS::appliedTo)));
+                    "preset", scene -> BodyMaterials.edited(scene, FIRST, MaterialPreset.GLASS::appliedTo)));
             own.await(() -> autosaved(autosaves).isPresent());
             Scene kept = SceneReader.read(autosaved(autosaves).orElseThrow());
-            assertThat(BodyMaterials.Preset.of(BodyMaterials.of(kept, FIRST))).contains(BodyMaterials.Preset.GLASS);
+            assertThat(MaterialPreset.of(BodyMaterials.of(kept, FIRST))).contains(MaterialPreset.GLASS);
             assertThat(BodyMaterials.of(kept, FIRST + 1)).isEqualTo(STEEL);
         }
     }

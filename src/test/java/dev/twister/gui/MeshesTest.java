@@ -9,6 +9,7 @@ import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyMaterials;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.BodyTitles;
+import dev.twister.gui.edit.MaterialPreset;
 import dev.twister.gui.files.AutosaveFolder;
 import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.panel.PanelRow;
@@ -276,8 +277,8 @@ class MeshesTest {
                 .contains(WindowDriver.call(() -> driver.studio.bodies().fileMaterial(SECOND)));
         type("Roughness", "0.5");
         assertThat(BodyMaterials.of(now(), FIRST).roughness()).isEqualTo(0.5);
-        ComboBox<Optional<BodyMaterials.Preset>> box = box("Preset");
-        driver.run(() -> box.setValue(Optional.of(BodyMaterials.Preset.GLASS)));
+        ComboBox<Optional<MaterialPreset>> box = box("Preset");
+        driver.run(() -> box.setValue(Optional.of(MaterialPreset.GLASS)));
         assertThat(BodyMaterials.of(now(), FIRST).transmission()).isEqualTo(1);
         assertThat(mesh(SECOND).material()).isEmpty();
         driver.run(() -> ((CheckBox) row("Own material").firstControl()).fire());

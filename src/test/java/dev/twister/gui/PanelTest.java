@@ -8,23 +8,24 @@ import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.ResolutionMode;
 import dev.twister.gui.edit.BodyEdits;
+import dev.twister.gui.edit.BodyMaterials;
 import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.panel.ChoiceRow;
 import dev.twister.gui.panel.NumberRow;
 import dev.twister.gui.panel.Panel;
 import dev.twister.gui.panel.PanelRow;
-import dev.twister.gui.property.BodyNumbers;
-import dev.twister.gui.property.CameraNumbers;
 import dev.twister.gui.property.DaylightFile;
-import dev.twister.gui.property.LightNumbers;
-import dev.twister.gui.property.MaterialNumbers;
+import dev.twister.gui.property.DerivedNumbers;
 import dev.twister.gui.property.NumberProperty;
-import dev.twister.gui.property.SceneNumbers;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.kernel.Layout;
+import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.Property;
+import dev.twister.scene.property.SceneProperties;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -84,12 +85,20 @@ class PanelTest {
 
     private static Stream<Stream<NumberProperty<Scene>>> kindsOfNumbers() {
         return Stream.of(
-                SceneNumbers.PICTURE.stream(),
-                CameraNumbers.ALL.stream().skip(5),
-                LightNumbers.ALL.stream().limit(7),
-                SceneNumbers.SKY.stream(),
-                BodyNumbers.SPHERE.stream().map(number -> BodyNumbers.ofSphere(SPHERE, number)),
-                MaterialNumbers.ALL.stream().map(number -> MaterialNumbers.of(SPHERE, number)));
+                PropertyNumbers.of(Property.within(SceneProperties.RENDERING, Scene::rendering, Scene::withRendering))
+                        .stream(),
+                PropertyNumbers.ofCamera().stream().skip(5),
+                PropertyNumbers.ofLight(() -> 0).stream().limit(7),
+                PropertyNumbers.of(Property.within(SceneProperties.SKY, Scene::sky, Scene::withSky)).stream(),
+                PropertyNumbers.ofBody(scene(), SPHERE).stream(),
+                PropertyNumbers.ofMaterial().stream()
+                        .filter(number -> !number.label().startsWith("Opacity"))
+                        .map(PanelTest::ofSphere));
+    }
+
+    private static NumberProperty<Scene> ofSphere(NumberProperty<Material> number) {
+        return number.in(
+                scene -> BodyMaterials.of(scene, SPHERE), (scene, edit) -> BodyMaterials.edited(scene, SPHERE, edit));
     }
 
     /** The first of each kind. */
@@ -292,7 +301,7 @@ class PanelTest {
     void theSelectedSpheresNumberFollowsItsSlider() {
         NumberRow row = (NumberRow) row("Reflectivity");
         TextField field = in(row, ".text-field", TextField.class);
-        NumberProperty<Scene> setting = MaterialNumbers.of(SPHERE, MaterialNumbers.REFLECTIVITY);
+        NumberProperty<Scene> setting = ofSphere(DerivedNumbers.REFLECTIVITY);
         String before = WindowDriver.call(field::getText);
         driver.type(row.keys());
         driver.pulse();
@@ -352,7 +361,7 @@ class PanelTest {
     }
 
     private static double sphereX() {
-        return BodyNumbers.ofSphere(SPHERE, BodyNumbers.SPHERE.getFirst()).read(scene());
+        return scene().spheres().get(SPHERE - Layout.FIRST_SPHERE).position().x();
     }
 
     @Test

@@ -9,7 +9,7 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyMaterials;
 import dev.twister.gui.panel.PanelRow;
-import dev.twister.gui.property.BodyNumbers;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.kernel.Layout;
 import dev.twister.physics.Simulation;
@@ -130,7 +130,7 @@ class PhysicsTest {
     @Test
     void gravityPullsTheOtherWay() {
         driver.type(KeyCode.F5);
-        driver.type(row("Gravity").keys());
+        driver.type(row("Gravity y").keys());
         driver.type(KeyCode.END);
         assertThat(scene().physics().gravity().y()).isEqualTo(30);
         driver.awaitPicture(picture -> height(picture) > HEIGHT + 0.5);
@@ -368,8 +368,8 @@ class PhysicsTest {
     @Test
     void spheresThatWereEditedWhileTheyWereThrownAreThrownAgain() {
         Scene before = editWhileSpheresAreThrown(scene -> {
-            Scene larger = BodyNumbers.ofSphere(Layout.FIRST_SPHERE, BodyNumbers.SPHERE.getLast())
-                    .write(scene, 2);
+            Scene larger =
+                    PropertyNumbers.ofBody(scene, Layout.FIRST_SPHERE).getLast().write(scene, 2);
             return larger.withBodies(
                     larger.bodies().with(List.of(larger.spheres().getFirst())));
         });

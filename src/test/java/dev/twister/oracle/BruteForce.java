@@ -85,12 +85,20 @@ final class BruteForce {
         Vector facet = rough ? facets.facet(normal, toViewer, random.nextDouble(), random.nextDouble()) : normal;
         double cosine = Math.clamp(toViewer.dot(facet), 0, 1);
         boolean byFresnel = material.byFresnel();
-        double constant = byFresnel ? material.metallic() : material.reflectivity() / PERFECT_MIRROR;
+        double mirror = material.besideReflectivity() / PERFECT_MIRROR;
+        double constant = byFresnel
+                ? material.metallic()
+                : material.besideMetal()
+                        ? material.metallic() + (1 - material.metallic()) * mirror
+                        : material.reflectivity() / PERFECT_MIRROR;
         double glassy = (1 - constant) * material.transmission();
         double coat = byFresnel ? 1 - constant : glassy;
         double fresnel = coat > 0 ? Fresnel.reflectance(cosine, ratio) : 0;
         Color metal = byFresnel ? schlick(albedo, cosine) : material.tint(albedo);
-        Color mirrored = metal.times(constant).plus(ONE.times(coat * fresnel));
+        Color reflection = material.besideMetal()
+                ? schlick(albedo, cosine).times(material.metallic()).plus(ONE.times((1 - material.metallic()) * mirror))
+                : metal.times(constant);
+        Color mirrored = reflection.plus(ONE.times(coat * fresnel));
         Color passed = albedo.times(glassy * (1 - fresnel));
         Color matte = albedo.times((1 - constant) * (1 - material.transmission()));
         double sum = mirrored.strongest() + passed.strongest() + matte.strongest();

@@ -108,7 +108,10 @@ record OracleMaps(
         double metal = material.metallic()
                 * metallic.map(map -> map.color(u, v).blue()).orElse(1.0);
         boolean derived = material.byFresnel() && (metal > 0 || material.transmission() == 0);
-        double reflectivity = derived ? (5 + 91 * metal) * (1 - rough) : material.reflectivity();
+        double beside = material.besideMetal()
+                ? Math.max(material.besideReflectivity(), 96 * metal * (1 - rough))
+                : material.reflectivity();
+        double reflectivity = derived ? (5 + 91 * metal) * (1 - rough) : beside;
         Color emitted =
                 material.emission().times(emission.map(map -> map.color(u, v)).orElse(new Color(1, 1, 1)));
         double opacity = blends() ? opacity(u, v, vertexOpacity) : 1;
@@ -121,6 +124,8 @@ record OracleMaps(
                 material.texture(),
                 unlit ? 0 : metal,
                 material.byFresnel(),
+                material.besideMetal(),
+                material.besideReflectivity(),
                 emitted.times(opacity),
                 material.emitsInward(),
                 material.absorption());

@@ -17,6 +17,8 @@ record OracleMaterial(
         Optional<OracleTexture> texture,
         double metallic,
         boolean byFresnel,
+        boolean besideMetal,
+        double besideReflectivity,
         Color emission,
         boolean emitsInward,
         Color absorption) {
@@ -34,6 +36,8 @@ record OracleMaterial(
                                 material.maps().texture())),
                 material.metallic(),
                 material.isByFresnel(),
+                material.isMetalOverMirror(),
+                material.reflectivity(),
                 Color.of(material.emission().radiance()),
                 material.emission().doubleSided(),
                 absorption(material.attenuation()));
@@ -71,6 +75,8 @@ record OracleMaterial(
                 texture,
                 metallic,
                 byFresnel,
+                besideMetal,
+                besideReflectivity,
                 newEmission,
                 emitsInward,
                 absorption);

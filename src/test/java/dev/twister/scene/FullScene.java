@@ -9,6 +9,7 @@ import dev.twister.scene.material.Alpha;
 import dev.twister.scene.material.Attenuation;
 import dev.twister.scene.material.Emission;
 import dev.twister.scene.material.Maps;
+import dev.twister.scene.material.Reflectance;
 import dev.twister.scene.select.SceneBodies;
 import dev.twister.scene.select.Tag;
 import dev.twister.scene.select.Title;
@@ -74,6 +75,7 @@ public final class FullScene {
         return new Material(
                 new Rgb(0.5, 0.6, 0.7),
                 reflectivity,
+                Reflectance.MIXED,
                 0.2,
                 0.4,
                 transmission,

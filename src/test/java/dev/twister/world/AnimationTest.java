@@ -14,7 +14,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
-import dev.twister.scene.property.AnimatedProperty;
+import dev.twister.scene.property.TrackProperties;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -110,9 +110,10 @@ class AnimationTest {
                 TrackTarget.RENDERING);
 
         assertThat(targets)
-                .allSatisfy(target -> assertThat(AnimatedProperty.of(target)).allSatisfy(property -> {
-                    assertThat(property.write(SCENE, property.read(SCENE))).isEqualTo(SCENE);
-                    assertThat(property.read(SCENE)).hasSize(property.size());
+                .allSatisfy(target -> assertThat(TrackProperties.of(target)).allSatisfy(property -> {
+                    assertThat(property.withNumbers(SCENE, property.numbers(SCENE)))
+                            .isEqualTo(SCENE);
+                    assertThat(property.numbers(SCENE)).hasSize(property.count());
                 }));
     }
 

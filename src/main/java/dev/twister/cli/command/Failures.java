@@ -95,7 +95,11 @@ public final class Failures {
     }
 
     private static int say(PrintWriter err, Exception failure) {
-        err.println("twister: " + PrintableText.line(failure.getMessage()));
+        // A scene has a line for each of its faults.
+        List<String> lines = failure instanceof SceneException
+                ? failure.getMessage().lines().toList()
+                : List.of(failure.getMessage());
+        lines.forEach(line -> err.println("twister: " + PrintableText.line(line)));
         return ExitCode.BAD_INPUT;
     }
 }

@@ -6,6 +6,7 @@ import dev.twister.scene.CameraView;
 import dev.twister.scene.Scene;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.CameraProperties;
 import dev.twister.scene.property.SceneLimits;
 import java.util.Arrays;
 import java.util.Optional;
@@ -61,13 +62,19 @@ public final class CameraOptions {
     public Camera over(Scene scene) {
         Camera camera = view.map(name -> view(scene, name)).orElse(scene.camera());
         return camera.withPosition(position.map(CameraOptions::checked).orElse(camera.position()))
-                .withYawDegrees(Ranges.check("--yaw", yaw.orElse(camera.yawDegrees()), SceneLimits.YAW))
-                .withPitchDegrees(Ranges.check("--pitch", pitch.orElse(camera.pitchDegrees()), SceneLimits.PITCH))
+                .withYawDegrees(Ranges.check("--yaw", yaw.orElse(camera.yawDegrees()), CameraProperties.YAW.range()))
+                .withPitchDegrees(
+                        Ranges.check("--pitch", pitch.orElse(camera.pitchDegrees()), CameraProperties.PITCH.range()))
                 .withFieldOfViewDegrees(Ranges.check(
-                        "--fov", fieldOfView.orElse(camera.fieldOfViewDegrees()), SceneLimits.FIELD_OF_VIEW))
-                .withAperture(Ranges.check("--aperture", aperture.orElse(camera.aperture()), SceneLimits.APERTURE))
+                        "--fov",
+                        fieldOfView.orElse(camera.fieldOfViewDegrees()),
+                        CameraProperties.FIELD_OF_VIEW.range()))
+                .withAperture(Ranges.check(
+                        "--aperture", aperture.orElse(camera.aperture()), CameraProperties.APERTURE.range()))
                 .withFocusDistance(Ranges.check(
-                        "--focus", focusDistance.orElse(camera.focusDistance()), SceneLimits.FOCUS_DISTANCE));
+                        "--focus",
+                        focusDistance.orElse(camera.focusDistance()),
+                        CameraProperties.FOCUS_DISTANCE.range()));
     }
 
     /** The scene without the tracks of what the options say. */

@@ -2,7 +2,7 @@ package dev.twister.cli.option;
 
 import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
-import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.property.SceneProperties;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
@@ -41,7 +41,10 @@ public final class ShadingOptions {
                 .withBounces(bouncesOr(usual.bounces()))
                 .withIntegrator(integrator.orElse(usual.integrator()))
                 .withClamp(Ranges.check(
-                        "--clamp", clamp.orElse(usual.clamp()), SceneLimits.CLAMP.min(), SceneLimits.CLAMP.max()));
+                        "--clamp",
+                        clamp.orElse(usual.clamp()),
+                        SceneProperties.CLAMP.range().min(),
+                        SceneProperties.CLAMP.range().max()));
     }
 
     public int shadowSamplesOr(int usual) {

@@ -3,7 +3,7 @@ package dev.twister.cli.option;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sky;
 import dev.twister.scene.TrackTarget;
-import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.property.SceneProperties;
 import java.nio.file.Path;
 import java.util.Optional;
 import picocli.CommandLine.Option;
@@ -31,7 +31,8 @@ public final class SkyOptions {
         Scene fixed = strength.isPresent() ? turned.withoutTrack(TrackTarget.SKY, "strength") : turned;
         return fixed.withSky(new Sky(
                 skybox.orElse(own.file()),
-                Ranges.check("--sky-rotation", rotation.orElse(own.rotationDegrees()), SceneLimits.SKY_ROTATION),
-                Ranges.check("--sky-strength", strength.orElse(own.strength()), SceneLimits.SKY_STRENGTH)));
+                Ranges.check(
+                        "--sky-rotation", rotation.orElse(own.rotationDegrees()), SceneProperties.SKY_ROTATION.range()),
+                Ranges.check("--sky-strength", strength.orElse(own.strength()), SceneProperties.SKY_STRENGTH.range())));
     }
 }

@@ -12,7 +12,7 @@ import dev.twister.gui.picking.BodyDrag;
 import dev.twister.gui.picking.PointerRay;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PictureView;
-import dev.twister.gui.property.CameraNumbers;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.gui.studio.StatusText;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Vector3;
@@ -290,7 +290,7 @@ public final class BodyMouse {
                 .filter(_ -> view.place().contains(event.getX(), event.getY()))
                 .ifPresent(picture -> {
                     Point2D place = place(event);
-                    double meters = CameraNumbers.FOCUS_DISTANCE
+                    double meters = PropertyNumbers.FOCUS_DISTANCE
                             .scale()
                             .rounded(PointerRay.focusDistance(picture.input(), place.getX(), place.getY()));
                     studio.edit(

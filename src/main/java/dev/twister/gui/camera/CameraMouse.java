@@ -1,7 +1,7 @@
 package dev.twister.gui.camera;
 
-import dev.twister.gui.property.CameraNumbers;
 import dev.twister.gui.studio.Studio;
+import dev.twister.scene.property.CameraProperties;
 import dev.twister.world.animation.CameraMotion;
 import java.util.Locale;
 import java.util.Optional;
@@ -85,7 +85,7 @@ public final class CameraMouse {
         if (event.getDeltaY() != 0) {
             double notches = event.getDeltaY() / event.getMultiplierY();
             studio.edit(
-                    CameraNumbers.FIELD_OF_VIEW.label().toLowerCase(Locale.ROOT),
+                    CameraProperties.FIELD_OF_VIEW.row().label().toLowerCase(Locale.ROOT),
                     scene -> scene.withCamera(CameraMotion.zoom(scene.camera(), notches)));
             turning.playFromStart();
         }

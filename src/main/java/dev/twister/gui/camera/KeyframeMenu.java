@@ -4,7 +4,7 @@ import dev.twister.gui.controls.Ids;
 import dev.twister.gui.edit.BodyTitles;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.TrackTarget;
-import dev.twister.scene.property.AnimatedProperty;
+import dev.twister.scene.property.TrackProperties;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -73,7 +73,7 @@ public final class KeyframeMenu {
 
     private static List<String> names(List<TrackTarget> targets) {
         Set<String> names = new LinkedHashSet<>();
-        targets.forEach(target -> AnimatedProperty.of(target).forEach(property -> names.add(property.name())));
+        targets.forEach(target -> TrackProperties.of(target).forEach(property -> names.add(property.name())));
         return new ArrayList<>(names);
     }
 

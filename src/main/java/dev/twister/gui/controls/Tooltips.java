@@ -16,10 +16,15 @@ public final class Tooltips {
 
     /** A tooltip with that text, its lines wrapped. */
     public static Tooltip of(String text) {
-        Tooltip tooltip = new Tooltip(text.lines().map(Tooltips::wrap).collect(Collectors.joining("\n")));
+        Tooltip tooltip = new Tooltip(lines(text));
         tooltip.setShowDelay(DELAY);
         tooltip.setShowDuration(TIME);
         return tooltip;
+    }
+
+    /** Sentences, one a line, each wrapped. */
+    public static String lines(String text) {
+        return text.lines().map(Tooltips::wrap).collect(Collectors.joining("\n"));
     }
 
     /** A command's hint and key. */

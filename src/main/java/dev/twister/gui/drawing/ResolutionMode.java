@@ -1,7 +1,7 @@
 package dev.twister.gui.drawing;
 
 import dev.twister.image.PictureSize;
-import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.property.SceneProperties;
 import java.util.Optional;
 
 /** How large the picture is drawn; it is scaled to fit the window. */
@@ -34,6 +34,6 @@ public enum ResolutionMode {
     }
 
     private static int side(double pixels) {
-        return (int) SceneLimits.SIDE.clamp(Math.floor(pixels));
+        return (int) SceneProperties.WIDTH.range().clamp(Math.floor(pixels));
     }
 }

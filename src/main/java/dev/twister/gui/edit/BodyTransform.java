@@ -97,7 +97,7 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
         return changed(
                 scene,
                 place -> pivot.plus(place.minus(pivot).times(size)),
-                mesh -> mesh.withScale(SceneLimits.SCALE.clamp(mesh.scale() * size)),
+                mesh -> mesh.withScale(SceneLimits.FACTOR.clamp(mesh.scale() * size)),
                 size);
     }
 

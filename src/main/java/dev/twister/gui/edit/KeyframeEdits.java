@@ -3,6 +3,7 @@ package dev.twister.gui.edit;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;
+import dev.twister.scene.property.CameraProperties;
 import dev.twister.scene.property.SceneLimits;
 import java.math.BigDecimal;
 import java.util.ArrayList;
@@ -93,7 +94,7 @@ public final class KeyframeEdits {
                 .filter(other -> other.seconds() < seconds)
                 .max(Comparator.comparingDouble(CameraKeyframe::seconds))
                 .map(before -> yaw + FULL_TURN_DEGREES * Math.rint((before.yawDegrees() - yaw) / FULL_TURN_DEGREES))
-                .filter(SceneLimits.YAW::contains)
+                .filter(CameraProperties.YAW.range()::contains)
                 .orElse(yaw);
     }
 

@@ -7,8 +7,9 @@ import dev.twister.scene.Keyframe;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
-import dev.twister.scene.property.AnimatedProperty;
+import dev.twister.scene.property.Property;
 import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.property.TrackProperties;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
@@ -65,7 +66,7 @@ public final class TrackEdits {
 
     /** The scene with a keyframe of a property at its present value, which replaces one at the same time. */
     public static Scene set(Scene scene, TrackTarget target, String property, double seconds) {
-        Optional<AnimatedProperty<Scene>> animated = AnimatedProperty.find(target, property);
+        Optional<Property<Scene, ?>> animated = TrackProperties.find(target, property);
         if (animated.isEmpty() || target.index() >= target.count(scene)) {
             return scene;
         }
@@ -79,7 +80,7 @@ public final class TrackEdits {
                 .reduce((_, later) -> later)
                 .map(Keyframe::easing)
                 .orElse(Easing.SMOOTH);
-        Keyframe keyframe = new Keyframe(time, animated.get().read(scene), easing);
+        Keyframe keyframe = new Keyframe(time, animated.get().numbers(scene), easing);
         return with(scene, old.withKeyframes(merged(old.keyframes(), List.of(keyframe), Keyframe::seconds)));
     }
 

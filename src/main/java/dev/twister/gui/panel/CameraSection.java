@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.panel.ChoiceRow.Look;
-import dev.twister.gui.property.CameraNumbers;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.world.animation.CameraMotion;
 import java.util.List;
@@ -9,23 +9,27 @@ import java.util.stream.Stream;
 
 /** The camera's position, direction and lens. */
 final class CameraSection {
+    /** Walking speeds in meters per second. */
+    private static final List<Double> SPEEDS = List.of(0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0);
+
     private final Studio studio;
     private final List<NumberRow> numbers;
     private final ChoiceRow<Double> speed;
 
     CameraSection(Studio studio) {
         this.studio = studio;
-        numbers = NumberRow.of(CameraNumbers.ALL, studio);
+        numbers = NumberRow.of(PropertyNumbers.ofCamera(), studio);
         speed = new ChoiceRow<>(
                 "Speed",
                 "Walking speed in meters per second; Shift is 4 times as fast.",
                 "Alt+Shift+Z",
-                metersPerSecond -> new Look(CameraNumbers.FOCUS_DISTANCE.scale().text(metersPerSecond) + " m/s"),
+                metersPerSecond ->
+                        new Look(PropertyNumbers.FOCUS_DISTANCE.scale().text(metersPerSecond) + " m/s"),
                 studio.cameraControl().speedProperty()::set,
                 studio::notice);
         studio.cameraControl()
                 .speedProperty()
-                .subscribe(now -> speed.show(CameraNumbers.SPEEDS, now, CameraMotion.WALK_METERS_PER_SECOND));
+                .subscribe(now -> speed.show(SPEEDS, now, CameraMotion.WALK_METERS_PER_SECOND));
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.document().originalProperty().subscribe(_ -> refresh());
     }

@@ -2,41 +2,70 @@ package dev.twister.gui.panel;
 
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyNumber;
-import dev.twister.gui.property.LightNumbers;
-import dev.twister.gui.property.LightNumbers.Radiance;
+import dev.twister.gui.property.DerivedNumbers;
+import dev.twister.gui.property.DerivedNumbers.Radiance;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.property.LightProperties;
+import dev.twister.scene.property.Property;
+import dev.twister.scene.property.SceneProperties;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /** The light that was selected last, else the first one. */
 final class LightSection {
     private final Studio studio;
-    private final List<NumberRow> numbers;
-    private final ColorRow color;
+    private final List<PropertyRow> rows;
 
     /** Its place in the scene's list. */
     private int shown;
 
     LightSection(Studio studio) {
         this.studio = studio;
-        numbers = NumberRow.of(LightNumbers.of(() -> shown), studio);
-        color = new ColorRow(
-                "Light color",
-                "The light's color. Set brightness with Light brightness.",
-                "Alt+C",
-                studio,
-                scene -> Radiance.of(LightNumbers.light(scene, () -> shown).color())
-                        .hue(),
-                (scene, hue) -> LightNumbers.edited(scene, () -> shown, light -> withHue(light, hue)));
+        List<PropertyRow> ofLight =
+                LightProperties.ALL.stream().flatMap(this::rows).toList();
+        rows = Stream.concat(
+                        ofLight.stream(),
+                        PropertyRow.of(
+                                Property.within(SceneProperties.SHADING, Scene::shading, Scene::withShading), studio)
+                                .stream())
+                .toList();
         studio.selection().activeProperty().subscribe(body -> select(body.intValue()));
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.document().originalProperty().subscribe(_ -> refresh());
     }
 
     List<PanelRow> rows() {
-        return Stream.concat(numbers.stream(), Stream.of(color)).toList();
+        return rows.stream().map(PropertyRow::row).toList();
+    }
+
+    /** A color has two rows, its hue and its brightness. */
+    private Stream<PropertyRow> rows(Property<Light, ?> property) {
+        Stream<PropertyRow> numbers =
+                PropertyNumbers.ofLight(property, () -> shown).map(number -> PropertyRow.of(property, number, studio));
+        if (property.equals(LightProperties.COLOR)) {
+            ColorRow color = new ColorRow(
+                    property.row().label(),
+                    property.row().hint(),
+                    property.row().keys(),
+                    studio,
+                    scene -> Radiance.of(
+                                    DerivedNumbers.light(scene, () -> shown).color())
+                            .hue(),
+                    (scene, hue) -> DerivedNumbers.edited(scene, () -> shown, light -> withHue(light, hue)));
+            return Stream.concat(numbers, Stream.of(new PropertyRow(color, color::show, Optional.empty())));
+        }
+        return property.count() > 0
+                ? numbers
+                : PropertyRow.of(
+                        property.in(
+                                scene -> DerivedNumbers.light(scene, () -> shown),
+                                (scene, edit) -> DerivedNumbers.edited(scene, () -> shown, edit)),
+                        studio);
     }
 
     private static Light withHue(Light light, Rgb hue) {
@@ -46,7 +75,7 @@ final class LightSection {
     private void select(int body) {
         if (BodyEdits.isLight(studio.scene(), body) && BodyNumber.light(body) != shown) {
             // A field that loses the focus enters its text, now for another light.
-            numbers.forEach(NumberRow::forgetTyped);
+            rows.forEach(PropertyRow::forgetTyped);
             shown = BodyNumber.light(body);
             refresh();
         }
@@ -56,7 +85,6 @@ final class LightSection {
         if (shown >= studio.scene().lights().count()) {
             shown = 0;
         }
-        numbers.forEach(row -> row.show(studio.scene(), studio.document().original()));
-        color.show(studio.scene(), studio.document().original());
+        rows.forEach(row -> row.show(studio.scene(), studio.document().original()));
     }
 }

@@ -1,50 +1,59 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyMaterials;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.BodyTitles;
+import dev.twister.gui.edit.MaterialPreset;
 import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.edit.SharedMaterial;
 import dev.twister.gui.files.AssetActions;
-import dev.twister.gui.files.FileNames;
 import dev.twister.gui.panel.ChoiceRow.Look;
-import dev.twister.gui.property.MaterialNumbers;
+import dev.twister.gui.property.DerivedNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Material;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.TexturePlaces;
+import dev.twister.scene.property.BodyProperties;
+import dev.twister.scene.property.MaterialProperties;
+import dev.twister.scene.property.Property;
+import dev.twister.scene.property.Row;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
-import javafx.scene.control.Button;
 
 /** The rows of one body's material. A reset leads to the material at the time of the selection. */
 final class MaterialRows {
+    /** The color of half of the plane's squares. */
+    private static final Property<Material, Rgb> FIRST_COLOR = MaterialProperties.COLOR.withRow(new Row(
+            "First color",
+            "The color of half of the squares.",
+            MaterialProperties.COLOR.row().keys(),
+            MaterialProperties.COLOR.row().slide(),
+            Optional.empty()));
+
     private final Studio studio;
     private final AssetActions assets;
     private final int body;
     private final Scene before;
-    private final ChoiceRow<Optional<BodyMaterials.Preset>> preset;
-    private final List<ColorRow> colors;
-    private final NumberRow reflectivity;
-    private final List<NumberRow> numbers;
-    private final ChoiceRow<Optional<Path>> texture;
+    private final ChoiceRow<Optional<MaterialPreset>> preset;
+    private final List<PropertyRow> rows;
     private final SwitchRow all;
     private boolean changesAll;
 
     /** The selected bodies, which are edited together. */
     private SelectedBodies selected;
 
-    /** The scene for which {@link #shared} and {@link #textures} hold. */
+    /** The scene for which {@link #shared} and {@link #images} hold. */
     private Scene known;
 
     private Optional<SharedMaterial> shared;
-    private List<Optional<Path>> textures;
+    private List<Optional<Path>> images;
 
     /** Rows for the plane, a sphere, or a mesh that has a material of its own. */
     MaterialRows(Studio studio, AssetActions assets, int body) {
@@ -55,25 +64,20 @@ final class MaterialRows {
         before = studio.scene();
         known = before;
         shared = SharedMaterial.of(before, body);
-        textures = textures(before);
+        images = images(before);
         preset = new ChoiceRow<>(
                 "Preset",
-                "A common material. Color and texture stay.",
+                "A common material. What it does not name stays.",
                 "Alt+Shift+M",
-                choice -> new Look(choice.map(BodyMaterials.Preset::label).orElse("Custom")),
+                choice -> new Look(choice.map(MaterialPreset::label).orElse("Custom")),
                 choice -> edit(
                         "preset",
-                        old -> choice.map(chosen -> chosen.appliedTo(old))
-                                .orElseGet(() -> withTexture(firstMaterial().withColor(old.color()), old.texture()))),
+                        old -> choice.map(chosen -> chosen.appliedTo(old)).orElseGet(this::firstMaterial)),
                 studio::notice);
-        colors = colors();
-        numbers = NumberRow.of(
-                MaterialNumbers.ALL.stream()
-                        .map(number -> number.in(this::material, this::edited))
-                        .toList(),
-                studio);
-        reflectivity = numbers.get(MaterialNumbers.ALL.indexOf(MaterialNumbers.REFLECTIVITY));
-        texture = texture();
+        rows = Stream.concat(
+                        MaterialProperties.ALL.stream().filter(this::isOfBody).flatMap(this::rows),
+                        body == BodyNumber.PLANE ? PropertyRow.of(oddColor(), studio) : Stream.empty())
+                .toList();
         all = new SwitchRow(
                 "Change all",
                 "Apply changes to every body with this named material. Off: to the selected body only.",
@@ -96,13 +100,13 @@ final class MaterialRows {
     List<PanelRow> rows() {
         // Only named materials are shared.
         List<SwitchRow> sharing = before.materials().isEmpty() ? List.of() : List.of(all);
-        return Stream.<List<? extends PanelRow>>of(List.of(preset), colors, numbers, List.of(texture), sharing)
-                .<PanelRow>flatMap(List::stream)
+        return Stream.of(Stream.of(preset), rows.stream().map(PropertyRow::row), sharing.stream())
+                .<PanelRow>flatMap(all -> all)
                 .toList();
     }
 
     void forgetTyped() {
-        numbers.forEach(NumberRow::forgetTyped);
+        rows.forEach(PropertyRow::forgetTyped);
     }
 
     /** Text that names the material and the bodies that share it. */
@@ -123,15 +127,12 @@ final class MaterialRows {
         if (!BodyMaterials.areSame(scene, known)) {
             known = scene;
             shared = shared.filter(named -> named.isIn(scene)).or(() -> SharedMaterial.of(scene, body));
-            textures = textures(scene);
+            images = images(scene);
         }
         Material now = material(scene);
-        Optional<BodyMaterials.Preset> present = BodyMaterials.Preset.of(now);
-        preset.show(presets(present), present, BodyMaterials.Preset.of(firstMaterial()));
-        colors.forEach(row -> row.show(scene, before));
-        numbers.forEach(row -> row.show(scene, before));
-        reflectivity.showUnit(MaterialNumbers.percentUnit(now));
-        texture.show(textures, now.texture(), firstMaterial().texture());
+        Optional<MaterialPreset> present = MaterialPreset.of(now);
+        preset.show(presets(present), present, MaterialPreset.of(firstMaterial()));
+        rows.forEach(row -> row.show(scene, before));
         all.show(changesAll && shared.isPresent(), false);
         all.setDisable(shared.isEmpty());
     }
@@ -156,68 +157,71 @@ final class MaterialRows {
         studio.endGesture();
     }
 
-    private List<ColorRow> colors() {
-        boolean plane = body == BodyNumber.PLANE;
-        ColorRow color = new ColorRow(
-                plane ? "First color" : "Color",
-                plane ? "The color of half of the squares." : "The color of the surface.",
-                "Alt+9",
-                studio,
-                scene -> material(scene).color(),
-                (scene, rgb) -> edited(scene, old -> old.withColor(rgb)));
-        ColorRow odd = new ColorRow(
-                "Second color",
-                "The color of the other squares.",
-                "Alt+Shift+C",
-                studio,
-                scene -> scene.ground().oddColor(),
-                (scene, rgb) -> scene.withGround(scene.ground().withOddColor(rgb)));
-        return plane ? List.of(color, odd) : List.of(color);
+    /** Only meshes are cut out, and the plane cannot emit. */
+    private boolean isOfBody(Property<Material, ?> property) {
+        return (!MaterialProperties.isOfMeshes(property) || BodyEdits.isMesh(before, body))
+                && (!MaterialProperties.isOfEmission(property) || body != BodyNumber.PLANE);
     }
 
-    private static List<Optional<BodyMaterials.Preset>> presets(Optional<BodyMaterials.Preset> present) {
+    @SuppressWarnings("unchecked") // a property's values are of its type
+    private Stream<PropertyRow> rows(Property<Material, ?> property) {
+        boolean even = body == BodyNumber.PLANE && property.equals(MaterialProperties.COLOR);
+        Property<Scene, ?> inScene = (even ? FIRST_COLOR : property).in(this::material, this::edited);
+        if (property.equals(MaterialProperties.REFLECTIVITY)) {
+            NumberRow row = new NumberRow(DerivedNumbers.REFLECTIVITY.in(this::material, this::edited), studio);
+            return Stream.of(new PropertyRow(
+                    row,
+                    (scene, usual) -> {
+                        row.show(scene, usual);
+                        row.showUnit(DerivedNumbers.percentUnit(material(scene)));
+                    },
+                    Optional.empty()));
+        }
+        return MaterialProperties.IMAGES.contains(property)
+                ? Stream.of(image((Property<Scene, Optional<Path>>) inScene))
+                : PropertyRow.of(inScene, studio);
+    }
+
+    private static Property<Scene, Rgb> oddColor() {
+        return BodyProperties.ODD_COLOR.within(Scene::ground, Scene::withGround);
+    }
+
+    private static List<Optional<MaterialPreset>> presets(Optional<MaterialPreset> present) {
         return Stream.concat(
-                        Arrays.stream(BodyMaterials.Preset.values()).map(Optional::of),
+                        Arrays.stream(MaterialPreset.values()).map(Optional::of),
                         Stream.of(present).filter(Optional::isEmpty))
                 .toList();
     }
 
-    private ChoiceRow<Optional<Path>> texture() {
-        ChoiceRow<Optional<Path>> row = new ChoiceRow<>(
-                "Texture",
-                "A picture that multiplies the color.",
-                "Alt+Shift+X",
-                file -> {
-                    String name = file.map(FileNames::name).orElse("None");
-                    return new Look(name, name, file.map(Path::toString).orElse(""), Optional.empty());
-                },
-                file -> file.ifPresentOrElse(this::useTexture, () -> setTexture(Optional.empty())),
-                studio::notice);
-        Button other = new Button("Other…");
-        other.setId("other-texture");
-        other.setTooltip(Tooltips.of("Chooses a texture file: .png or .jpg."));
-        other.setOnAction(_ -> assets.chooseTexture(material(studio.scene()).texture(), this::useTexture));
-        row.addControl(other);
-        return row;
+    private PropertyRow image(Property<Scene, Optional<Path>> property) {
+        ImageRow row = new ImageRow(
+                property.row(),
+                new ImageRow.Actions(
+                        file -> assets.readTexture(file, () -> set(property, Optional.of(file)), this::show),
+                        () -> set(property, Optional.empty()),
+                        use -> assets.chooseTexture(property.getter().apply(studio.scene()), use),
+                        studio::notice));
+        return new PropertyRow(
+                row.row(),
+                (scene, usual) -> row.show(
+                        images,
+                        property.getter().apply(scene),
+                        property.getter().apply(usual)),
+                property.row().only());
     }
 
-    private void useTexture(Path file) {
-        assets.readTexture(file, () -> setTexture(Optional.of(file)), this::show);
+    private void set(Property<Scene, Optional<Path>> property, Optional<Path> file) {
+        studio.edit(
+                property.row().label().toLowerCase(Locale.ROOT),
+                scene -> property.wither().apply(scene, file));
+        studio.endGesture();
     }
 
-    private static Material withTexture(Material material, Optional<Path> file) {
-        return file.map(material::withTexture).orElseGet(material::withoutTexture);
-    }
-
-    private void setTexture(Optional<Path> file) {
-        edit("texture", old -> withTexture(old, file));
-    }
-
-    /** No texture, those of the scene, and the one at the time of the selection. */
-    private List<Optional<Path>> textures(Scene scene) {
+    /** No image, those of the scene, and those at the time of the selection. */
+    private List<Optional<Path>> images(Scene scene) {
         return Stream.concat(
                         Stream.of(Optional.<Path>empty()),
-                        Stream.concat(TexturePlaces.of(scene).keySet().stream(), firstMaterial().texture().stream())
+                        Stream.concat(TexturePlaces.of(scene).keySet().stream(), firstMaterial().images().stream())
                                 .distinct()
                                 .sorted()
                                 .map(Optional::of))

@@ -4,7 +4,9 @@ import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.Ids;
 import dev.twister.gui.controls.Tooltips;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.stream.Stream;
+import javafx.css.PseudoClass;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
@@ -17,10 +19,13 @@ import javafx.scene.layout.Region;
 
 /** A row of the panel: name, controls, and a button that resets them. */
 public abstract class PanelRow extends HBox {
+    private static final PseudoClass IDLE = PseudoClass.getPseudoClass("idle");
+
     private final Button reset = new Button("↺");
     private final Label nameLabel;
     private final Tooltip tooltip;
     private final KeyCombination keys;
+    private final String hint;
 
     /**
      * A row without controls.
@@ -30,7 +35,8 @@ public abstract class PanelRow extends HBox {
      */
     PanelRow(String label, String hint, String key) {
         keys = key.isEmpty() ? KeyCombination.NO_MATCH : KeyCombination.valueOf(key);
-        tooltip = Tooltips.of(key.isEmpty() ? hint : hint + "\nKey: " + keys.getDisplayText());
+        this.hint = key.isEmpty() ? hint : hint + "\nKey: " + keys.getDisplayText();
+        tooltip = Tooltips.of(this.hint);
         nameLabel = new Label(label);
         nameLabel.getStyleClass().add("row-name");
         nameLabel.setTooltip(tooltip);
@@ -81,6 +87,12 @@ public abstract class PanelRow extends HBox {
     final void setReset(boolean differs, Runnable action) {
         reset.setDisable(!differs);
         reset.setOnAction(_ -> action.run());
+    }
+
+    /** Shows whether the row has no effect at present, and why. */
+    final void setIdle(Optional<String> why) {
+        pseudoClassStateChanged(IDLE, why.isPresent());
+        tooltip.setText(Tooltips.lines(why.map(reason -> reason + "\n" + hint).orElse(hint)));
     }
 
     final Label nameLabel() {

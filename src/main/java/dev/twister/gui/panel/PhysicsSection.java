@@ -5,9 +5,10 @@ import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Ids;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.drawing.DrawingRequest.Motion;
-import dev.twister.gui.property.SceneNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
+import dev.twister.scene.property.Property;
+import dev.twister.scene.property.SceneProperties;
 import java.util.List;
 import java.util.stream.Stream;
 import javafx.scene.control.Button;
@@ -16,8 +17,7 @@ import javafx.scene.layout.HBox;
 /** Settings of the physics. */
 final class PhysicsSection {
     private final SwitchRow moving;
-    private final List<NumberRow> numbers;
-    private final SwitchRow walls;
+    private final List<PropertyRow> rows;
     private final Button pause;
     private final HBox buttons;
 
@@ -27,13 +27,7 @@ final class PhysicsSection {
                 "Simulate physics. Off: bodies return to their places in the scene.",
                 "Alt+M",
                 studio.motion()::setOn);
-        numbers = NumberRow.of(SceneNumbers.PHYSICS, studio);
-        walls = new SwitchRow(
-                "Walls", "Invisible walls on the border of the plane hold the spheres.", "Alt+Shift+W", on -> {
-                    studio.edit(
-                            "walls", scene -> scene.withPhysics(scene.physics().withWalls(on)));
-                    studio.endGesture();
-                });
+        rows = PropertyRow.of(Property.within(SceneProperties.PHYSICS, Scene::physics, Scene::withPhysics), studio);
         pause = button(Command.PAUSE, actions);
         buttons = new HBox(pause, button(Command.STEP, actions), button(Command.RANDOMIZE, actions));
         buttons.getStyleClass().add("buttons");
@@ -43,8 +37,7 @@ final class PhysicsSection {
     }
 
     List<PanelRow> rows() {
-        return Stream.of(Stream.of(moving), numbers.stream(), Stream.of(walls))
-                .<PanelRow>flatMap(rows -> rows)
+        return Stream.concat(Stream.of(moving), rows.stream().map(PropertyRow::row))
                 .toList();
     }
 
@@ -53,8 +46,7 @@ final class PhysicsSection {
     }
 
     private void show(Scene scene, Scene usual) {
-        numbers.forEach(row -> row.show(scene, usual));
-        walls.show(scene.physics().walls(), usual.physics().walls());
+        rows.forEach(row -> row.show(scene, usual));
     }
 
     private void show(Motion motion) {

@@ -3,26 +3,20 @@ package dev.twister.gui.panel;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.RefinementGoal;
 import dev.twister.gui.panel.ChoiceRow.Look;
-import dev.twister.gui.property.SceneNumbers;
 import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Denoising;
 import dev.twister.gui.studio.Studio;
-import dev.twister.scene.Integrator;
-import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.scene.ToneMap;
+import dev.twister.scene.property.Property;
+import dev.twister.scene.property.SceneProperties;
 import java.util.List;
-import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
 
 /** Settings of the picture: samples, exposure, tone mapping. */
 final class PictureSection {
     private final Studio studio;
-    private final List<NumberRow> numbers;
-    private final ChoiceRow<Integrator> integrator;
-    private final ChoiceRow<ToneMap> toneMap;
-    private final SwitchRow srgb;
+    private final List<PropertyRow> rows;
     private final SwitchRow refining;
     private final SwitchRow clipping;
     private final RestRows rest;
@@ -30,23 +24,8 @@ final class PictureSection {
     /** @param clippingShown whether clipped pixels are marked */
     PictureSection(Studio studio, BackgroundTasks tasks, BooleanProperty clippingShown) {
         this.studio = studio;
-        numbers = NumberRow.of(SceneNumbers.PICTURE, studio);
-        integrator = new ChoiceRow<>(
-                "Integrator",
-                "Real time: reflections and one light's shadows. Path tracing: light from everywhere, refined at rest.",
-                "Alt+Shift+V",
-                choice -> new Look(label(choice)),
-                choice -> edit("integrator", settings -> settings.withIntegrator(choice)),
-                studio::notice);
-        toneMap = new ChoiceRow<>(
-                "Tone map",
-                "Maps bright colors to the range that a screen can show.",
-                "Alt+T",
-                map -> new Look(label(map)),
-                this::setToneMap,
-                studio::notice);
-        srgb = new SwitchRow(
-                "sRGB curve", "Apply the sRGB transfer function after tone mapping.", "Alt+U", this::setSrgb);
+        rows = PropertyRow.of(
+                Property.within(SceneProperties.RENDERING, Scene::rendering, Scene::withRendering), studio);
         refining = new SwitchRow(
                 "Refine at rest",
                 "Keep refining the picture while nothing moves.",
@@ -61,52 +40,19 @@ final class PictureSection {
     }
 
     List<PanelRow> rows() {
-        return Stream.of(numbers, List.of(integrator, toneMap, srgb, refining), rest.rows(), List.of(clipping))
-                .<PanelRow>flatMap(List::stream)
+        return Stream.of(
+                        rows.stream().map(PropertyRow::row),
+                        Stream.of(refining),
+                        rest.rows().stream(),
+                        Stream.of(clipping))
+                .<PanelRow>flatMap(all -> all)
                 .toList();
     }
 
     private void refresh() {
         Scene scene = studio.scene();
         Scene usual = studio.document().original();
-        numbers.forEach(row -> row.show(scene, usual));
-        integrator.show(
-                List.of(Integrator.values()),
-                scene.rendering().integrator(),
-                usual.rendering().integrator());
-        toneMap.show(
-                List.of(ToneMap.values()),
-                scene.rendering().toneMap(),
-                usual.rendering().toneMap());
-        srgb.show(scene.rendering().srgb(), usual.rendering().srgb());
-    }
-
-    private static String label(Integrator integrator) {
-        return switch (integrator) {
-            case WHITTED -> "Real time";
-            case PATH -> "Path tracing";
-        };
-    }
-
-    private static String label(ToneMap map) {
-        return switch (map) {
-            case CLAMP -> "Clamp";
-            case REINHARD -> "Reinhard";
-            case ACES -> "ACES";
-        };
-    }
-
-    private void setToneMap(ToneMap map) {
-        edit("tone map", settings -> settings.withTone(settings.exposure(), map, settings.srgb()));
-    }
-
-    private void setSrgb(boolean on) {
-        edit("sRGB curve", settings -> settings.withTone(settings.exposure(), settings.toneMap(), on));
-    }
-
-    private void edit(String what, UnaryOperator<Rendering> change) {
-        studio.edit(what, scene -> scene.withRendering(change.apply(scene.rendering())));
-        studio.endGesture();
+        rows.forEach(row -> row.show(scene, usual));
     }
 
     /** How long a path-traced picture at rest is refined, and whether its noise is removed. */

@@ -6,7 +6,7 @@ import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.BodyTitles;
 import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.edit.TagEdits;
-import dev.twister.gui.property.BodyNumbers;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
 import dev.twister.scene.Scene;
@@ -90,7 +90,7 @@ final class SelectionSection extends VBox {
         }
         shownBody = body;
         atSelection = studio.scene();
-        numbers = NumberRow.of(BodyNumbers.of(atSelection, body), studio);
+        numbers = NumberRow.of(PropertyNumbers.ofBody(atSelection, body), studio);
         showHint();
         getChildren().setAll(hint);
         getChildren().addAll(numbers);

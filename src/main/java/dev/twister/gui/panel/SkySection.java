@@ -4,10 +4,10 @@ import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.AssetActions;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.property.DaylightFile;
-import dev.twister.gui.property.DaylightNumbers;
-import dev.twister.gui.property.SceneNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
+import dev.twister.scene.property.Property;
+import dev.twister.scene.property.SceneProperties;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -18,7 +18,7 @@ import javafx.scene.control.Button;
 final class SkySection {
     private final Studio studio;
     private final ChoiceRow<Path> sky;
-    private final List<NumberRow> numbers;
+    private final List<PropertyRow> rows;
     private final List<NumberRow> daylight;
     private final Button other = new Button("Other…");
     private List<Path> known = List.of();
@@ -36,8 +36,8 @@ final class SkySection {
         other.setTooltip(Tooltips.of("Chooses a panorama's file: .hdr, .exr, .png or .jpg."));
         other.setOnAction(_ -> assets.chooseSky());
         sky.addControl(other);
-        numbers = NumberRow.of(SceneNumbers.SKY, studio);
-        daylight = NumberRow.of(DaylightNumbers.ALL, studio);
+        rows = PropertyRow.of(Property.within(SceneProperties.SKY, Scene::sky, Scene::withSky), studio);
+        daylight = NumberRow.of(DaylightFile.NUMBERS, studio);
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.document().originalProperty().subscribe(_ -> refresh());
     }
@@ -49,8 +49,8 @@ final class SkySection {
     }
 
     List<PanelRow> rows() {
-        return Stream.of(List.of(sky), numbers, daylight)
-                .<PanelRow>flatMap(List::stream)
+        return Stream.of(Stream.of(sky), rows.stream().map(PropertyRow::row), daylight.stream())
+                .<PanelRow>flatMap(all -> all)
                 .toList();
     }
 
@@ -59,7 +59,7 @@ final class SkySection {
         Path own = studio.document().original().sky().file();
         sky.show(Stream.concat(known.stream(), Stream.of(own, used)).distinct().toList(), used, own);
         Scene usual = studio.document().original();
-        numbers.forEach(row -> row.show(studio.scene(), usual));
+        rows.forEach(row -> row.show(studio.scene(), usual));
         // A reset of these must not replace a sky of another kind.
         boolean replaced = DaylightFile.of(used).isEmpty();
         daylight.forEach(row -> row.show(studio.scene(), replaced ? studio.scene() : usual));

@@ -44,7 +44,7 @@ public final class NewBodies {
     public static Mesh mesh(FrameInput input, Scene scene, SceneMeshes meshes, Mesh mesh, BodyExtent bounds) {
         Vector3 half = bounds.half();
         double largest = Math.max(half.x(), Math.max(half.y(), half.z()));
-        double scale = SceneLimits.SCALE.clamp(largest > 0 ? RADIUS / largest : 1);
+        double scale = SceneLimits.FACTOR.clamp(largest > 0 ? RADIUS / largest : 1);
         Vector3 middle = middle(input, scene, meshes, half.times(scale));
         return mesh.withScale(scale)
                 .withPosition(

@@ -5,7 +5,7 @@ import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Surface;
 import dev.twister.scene.Vector3;
-import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.property.CameraProperties;
 import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
 import java.util.function.IntPredicate;
@@ -115,13 +115,13 @@ public record PointerRay(float[] path, int body, Bodies bodies) {
     public static double focusDistance(FrameInput input, double x, double y) {
         PointerRay ray = through(input, x, y);
         if (ray.body() == Layout.NOTHING) {
-            return SceneLimits.FOCUS_DISTANCE.max();
+            return CameraProperties.FOCUS_DISTANCE.range().max();
         }
         float[] camera = input.view().frame();
         double cosine = 0;
         for (int axis = 0; axis < 3; axis++) {
             cosine += ray.direction(axis) * camera[Layout.CAMERA_FORWARD + axis];
         }
-        return SceneLimits.FOCUS_DISTANCE.clamp(ray.distance() * cosine);
+        return CameraProperties.FOCUS_DISTANCE.range().clamp(ray.distance() * cosine);
     }
 }

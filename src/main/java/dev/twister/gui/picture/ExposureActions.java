@@ -4,7 +4,7 @@ import dev.twister.engine.AutoExposure;
 import dev.twister.engine.ExposureMeter;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.property.SceneNumbers;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
 import java.util.Optional;
@@ -55,8 +55,8 @@ public final class ExposureActions {
         }
         double stops = measured.getAsDouble();
         studio.endGesture();
-        studio.edit("exposure", scene -> SceneNumbers.EXPOSURE.write(scene, stops));
+        studio.edit("exposure", scene -> PropertyNumbers.EXPOSURE.write(scene, stops));
         studio.endGesture();
-        studio.notice("Exposure: " + SceneNumbers.EXPOSURE.scale().text(stops) + " stops");
+        studio.notice("Exposure: " + PropertyNumbers.EXPOSURE.scale().text(stops) + " stops");
     }
 }

@@ -2,6 +2,9 @@ package dev.twister.gui.property;
 
 import dev.twister.image.HdrWriter;
 import dev.twister.scene.Scene;
+import dev.twister.scene.property.Copied;
+import dev.twister.scene.property.Range;
+import dev.twister.scene.property.Slide;
 import dev.twister.sky.Daylight;
 import dev.twister.sky.DaylightSky;
 import dev.twister.sky.ShippedSky;
@@ -9,8 +12,11 @@ import dev.twister.sky.Skybox;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.ToDoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -23,7 +29,9 @@ import java.util.regex.Pattern;
  * @param haze turbidity, see {@link Daylight}
  * @param clouds cloud cover, 0 to 1
  */
-public record DaylightFile(double height, double direction, double haze, double clouds) {
+@Copied
+public record DaylightFile(double height, double direction, double haze, double clouds)
+        implements DaylightFileCopy.With {
     /** What a name does not tell is as {@code twister sky} has it. */
     private static final Daylight DAY = ShippedSky.DAY.daylight();
 
@@ -32,6 +40,35 @@ public record DaylightFile(double height, double direction, double haze, double 
 
     private static final String NUMBER = "_(-?[0-9]{1,3}(?:\\.[0-9]{1,3})?)";
     private static final Pattern NAME = Pattern.compile("daylight" + NUMBER.repeat(4) + "\\.hdr");
+
+    /** The panel's rows; any change of one makes such a sky the scene's. */
+    public static final List<NumberProperty<Scene>> NUMBERS = List.of(
+            number(
+                    "Sun height",
+                    "Makes a daylight sky: the sun's height over the horizon.",
+                    new NumberScale(degrees(0, Daylight.MAX_ELEVATION_DEGREES), Slide.linear(0, 90, 0, "°")),
+                    DaylightFile::height,
+                    DaylightFile::withHeight),
+            number(
+                    "Sun direction",
+                    "Makes a daylight sky: 0 is ahead, 90 to the right.",
+                    new NumberScale(degrees(-180, 180), Slide.linear(-180, 180, 0, "°")),
+                    DaylightFile::direction,
+                    DaylightFile::withDirection),
+            number(
+                    "Haze",
+                    "Makes a daylight sky: 2 is very clear, 3 clear, 6 hazy, 10 nearly fog.",
+                    new NumberScale(
+                            new Range(Daylight.MIN_TURBIDITY, Daylight.MAX_TURBIDITY),
+                            Slide.linear(Daylight.MIN_TURBIDITY, Daylight.MAX_TURBIDITY, 1, "")),
+                    DaylightFile::haze,
+                    DaylightFile::withHaze),
+            number(
+                    "Clouds",
+                    "Makes a daylight sky: 0 is clear, 1 an even layer of clouds.",
+                    new NumberScale(new Range(0, 1), Slide.SHARE),
+                    DaylightFile::clouds,
+                    DaylightFile::withClouds));
 
     /** The parameters in a file's name; empty if it is another one. */
     public static Optional<DaylightFile> of(Path file) {
@@ -87,22 +124,6 @@ public record DaylightFile(double height, double direction, double haze, double 
         return "daylight_" + text(height) + "_" + text(direction) + "_" + text(haze) + "_" + text(clouds) + ".hdr";
     }
 
-    public DaylightFile withHeight(double newHeight) {
-        return new DaylightFile(newHeight, direction, haze, clouds);
-    }
-
-    public DaylightFile withDirection(double newDirection) {
-        return new DaylightFile(height, newDirection, haze, clouds);
-    }
-
-    public DaylightFile withHaze(double newHaze) {
-        return new DaylightFile(height, direction, newHaze, clouds);
-    }
-
-    public DaylightFile withClouds(double newClouds) {
-        return new DaylightFile(height, direction, haze, newClouds);
-    }
-
     private boolean isPossible() {
         return height >= 0
                 && height <= Daylight.MAX_ELEVATION_DEGREES
@@ -120,5 +141,24 @@ public record DaylightFile(double height, double direction, double haze, double 
     private static String text(double number) {
         String text = String.format(Locale.ROOT, "%.2f", number).replaceFirst("\\.?0+$", "");
         return text.equals("-0") || text.isEmpty() ? "0" : text;
+    }
+
+    private static Range degrees(double least, double most) {
+        return new Range(least, most, "degrees");
+    }
+
+    private static NumberProperty<Scene> number(
+            String label,
+            String hint,
+            NumberScale scale,
+            ToDoubleFunction<DaylightFile> getter,
+            BiFunction<DaylightFile, Double, DaylightFile> wither) {
+        return new NumberProperty<>(
+                label,
+                hint,
+                "",
+                scale,
+                scene -> getter.applyAsDouble(DaylightFile.of(scene)),
+                (scene, number) -> wither.apply(DaylightFile.of(scene), number).in(scene));
     }
 }

@@ -1,6 +1,8 @@
 package dev.twister.gui.property;
 
 import dev.twister.scene.property.Range;
+import dev.twister.scene.property.Slide;
+import dev.twister.scene.property.Slide.Spread;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.Optional;
@@ -20,13 +22,9 @@ public record NumberScale(Range allowed, Range slid, Spread spread, int decimals
     /** Significant digits of a small number on a logarithmic slider, at least. */
     private static final int DIGITS = 2;
 
-    /** How a slider's places become numbers. */
-    public enum Spread {
-        LINEAR,
-        /** Every step multiplies; the range is above 0. */
-        LOGARITHMIC,
-        /** Linear around the value that the slider is taken at. */
-        AROUND
+    /** The scale of a property's slider. */
+    public NumberScale(Range allowed, Slide slide) {
+        this(allowed, new Range(slide.least(), slide.most()), slide.spread(), slide.decimals(), slide.unit());
     }
 
     /** The scale of the slider at a value. */

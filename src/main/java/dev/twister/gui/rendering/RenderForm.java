@@ -17,7 +17,7 @@ import dev.twister.render.Renderer;
 import dev.twister.render.TimeLeft;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
-import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.property.SceneProperties;
 import dev.twister.scene.select.VisibleBodies;
 import dev.twister.world.FrameInput;
 import dev.twister.world.StageOrView;
@@ -49,9 +49,9 @@ final class RenderForm extends GridPane {
     private final FilmFields films = new FilmFields(this::check);
     private final SizeFields size = new SizeFields(this::check);
     private final NumberField samples =
-            new NumberField("Samples per pixel", SceneLimits.SAMPLES_PER_PIXEL, true, this::check);
+            new NumberField("Samples per pixel", SceneProperties.SAMPLES_PER_PIXEL.range(), true, this::check);
     private final NumberField shadows =
-            new NumberField("Shadow samples", SceneLimits.SHADOW_SAMPLES, true, this::check);
+            new NumberField("Shadow samples", SceneProperties.SHADOW_SAMPLES.range(), true, this::check);
     private final PlainBox<EngineOffer> engine = new PlainBox<>("render-engine", RenderForm::name, this::check);
     private final PlainBox<StageOrView> shown = new PlainBox<>("render-show", StagesAndViews::label, this::check);
     private final PlainBox<RenderFormat> format = new PlainBox<>("render-format", RenderFormat::label, this::check);

@@ -3,7 +3,7 @@ package dev.twister.gui.rendering;
 import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.PlainBox;
 import dev.twister.image.PictureSize;
-import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.property.SceneProperties;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -34,8 +34,8 @@ final class SizeFields extends HBox {
     SizeFields(Runnable changed) {
         this.changed = changed;
         preset = new PlainBox<>("render-size", Preset::label, this::takePreset);
-        width = new NumberField("Width", SceneLimits.SIDE, true, this::takeNumbers);
-        height = new NumberField("Height", SceneLimits.SIDE, true, this::takeNumbers);
+        width = new NumberField("Width", SceneProperties.WIDTH.range(), true, this::takeNumbers);
+        height = new NumberField("Height", SceneProperties.WIDTH.range(), true, this::takeNumbers);
         getStyleClass().add("render-fields");
         setHgrow(preset, Priority.ALWAYS);
         getChildren().addAll(preset, width, new Label("×"), height);

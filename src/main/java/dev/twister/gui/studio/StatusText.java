@@ -3,7 +3,7 @@ package dev.twister.gui.studio;
 import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.StagesAndViews;
-import dev.twister.gui.property.CameraNumbers;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
@@ -61,7 +61,7 @@ public final class StatusText {
     }
 
     private static String meters(Camera camera) {
-        return CameraNumbers.FOCUS_DISTANCE.scale().text(camera.focusDistance()) + " m";
+        return PropertyNumbers.FOCUS_DISTANCE.scale().text(camera.focusDistance()) + " m";
     }
 
     /** Whether {@link #facts} are the same for both, without formatting them. */

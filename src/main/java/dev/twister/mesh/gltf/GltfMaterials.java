@@ -12,6 +12,7 @@ import dev.twister.scene.material.Emission;
 import dev.twister.scene.material.ImageMap;
 import dev.twister.scene.material.Maps;
 import dev.twister.scene.material.Sampler;
+import dev.twister.scene.property.MaterialProperties;
 import dev.twister.scene.property.SceneLimits;
 import java.io.IOException;
 import java.util.HashMap;
@@ -111,7 +112,7 @@ final class GltfMaterials {
                 .at("KHR_materials_emissive_strength")
                 .at("emissiveStrength")
                 .numberOr(1);
-        double limited = SceneLimits.EMISSION_STRENGTH.clamp(strength);
+        double limited = MaterialProperties.EMISSION_STRENGTH.range().clamp(strength);
         if (limited < strength) {
             warnings.add("an emissiveStrength of " + strength + " is limited to " + limited);
         }

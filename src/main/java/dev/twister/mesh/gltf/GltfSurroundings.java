@@ -9,6 +9,7 @@ import dev.twister.mesh.input.QuotedText;
 import dev.twister.mesh.input.Warnings;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.CameraProperties;
 import dev.twister.scene.property.SceneLimits;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -110,7 +111,7 @@ final class GltfSurroundings {
                 name,
                 new FileCamera(
                         name,
-                        SceneLimits.FIELD_OF_VIEW.clamp(angle),
+                        CameraProperties.FIELD_OF_VIEW.range().clamp(angle),
                         placement.origin(),
                         placement.direction(AHEAD).normalized()));
     }

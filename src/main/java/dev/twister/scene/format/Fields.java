@@ -12,20 +12,19 @@ import java.util.stream.Stream;
 
 /** An object's fields. */
 record Fields(Place object, ObjectValue value) {
-    /** Refuses a field that is in neither list, and the lack of a required one. */
-    Fields check(List<String> required, List<String> optional) {
+    /** Adds each field that is in neither list to the problems, and the lack of each required one. */
+    void check(List<String> required, List<String> optional, Problems problems) {
         for (Member member : value.members()) {
             if (!required.contains(member.name()) && !optional.contains(member.name())) {
-                throw unknown(member, required, optional);
+                problems.add(unknown(member, required, optional));
             }
         }
         for (String name : required) {
             if (find(name).isEmpty()) {
-                throw failure(
-                        value.offset(), path(name) + " is missing; required here: " + String.join(", ", required));
+                problems.add(failure(
+                        value.offset(), path(name) + " is missing; required here: " + String.join(", ", required)));
             }
         }
-        return this;
     }
 
     Optional<Place> find(String name) {

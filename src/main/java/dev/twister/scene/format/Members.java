@@ -20,15 +20,17 @@ record Members<T>(Text name, ValueType<T> type, int limit) implements ValueType<
     public SequencedMap<String, T> read(Place place) {
         Fields fields = place.fields();
         SequencedMap<String, T> values = new LinkedHashMap<>();
+        Problems problems = new Problems();
         for (Member member : fields.members()) {
             if (!name.allows(member.name())) {
-                throw fields.failure(
+                problems.add(fields.failure(
                         member.offset(),
                         place.path() + " has the name " + Excerpt.quoted(member.name()) + ", but a name must be "
-                                + name.allowed());
+                                + name.allowed()));
             }
-            values.put(member.name(), type.read(fields.at(member)));
+            problems.read(() -> type.read(fields.at(member))).ifPresent(read -> values.put(member.name(), read));
         }
+        problems.refuse();
         return values;
     }
 

@@ -8,6 +8,7 @@ import dev.twister.scene.Mesh;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.BodyProperties;
 import dev.twister.scene.property.SceneLimits;
 import java.nio.file.Path;
 import java.util.List;
@@ -35,12 +36,7 @@ final class MeshFields {
 
     /** How the triangles of a file are shaded. */
     static List<Field<Mesh, ?>> shading() {
-        return List.of(sparse(
-                        "smooth",
-                        new ValueType.Decimal(SceneLimits.SMOOTH),
-                        Mesh::smoothDegrees,
-                        Mesh::withSmoothDegrees)
-                .from(2));
+        return List.of(Field.of(BodyProperties.SMOOTH, NamedFiles.UNRESOLVED));
     }
 
     static List<Field<Mesh, ?>> ofShape() {

@@ -55,9 +55,12 @@ record Place(SourceText source, JsonPath path, LocatedValue value) {
                 && found.size() >= minCount
                 && found.size() <= maxCount) {
             List<T> items = new ArrayList<>(found.size());
-            for (int i = 0; i < found.size(); i++) {
-                items.add(item.apply(new Place(source, new JsonPath.Item(path, i), found.get(i))));
+            Problems problems = new Problems();
+            for (int i = 0; i < found.size() && !problems.isFull(); i++) {
+                Place place = new Place(source, new JsonPath.Item(path, i), found.get(i));
+                problems.read(() -> item.apply(place)).ifPresent(items::add);
             }
+            problems.refuse();
             return items;
         }
         throw refused(allowed);

@@ -4,9 +4,11 @@ import dev.twister.scene.Ground;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.Sky;
 import dev.twister.scene.format.json.JsonPath;
 import dev.twister.scene.format.json.JsonText;
 import dev.twister.scene.format.json.LocatedTree;
+import dev.twister.scene.format.json.LocatedValue.ObjectValue;
 import dev.twister.scene.format.json.SourceText;
 import dev.twister.scene.generate.Pour;
 import dev.twister.scene.material.Alpha;
@@ -33,21 +35,32 @@ final class SceneDocument {
         int version = fields.find(SceneFormat.VERSION_FIELD)
                 .map(SceneFormat.VERSION::read)
                 .orElse(Scene.VERSION);
-        Scene scene = new SceneFormat(version, materials(fields, version, files), files)
-                .scene()
-                .read(root);
-        LightRules.check(fields);
-        LightRules.checkVisible(scene, fields);
-        LightRules.checkGroups(scene, fields);
-        KeyframeRules.check(scene.camera().keyframes(), fields.get("camera").fields());
-        ViewRules.check(scene.views(), fields);
-        AlphaRules.check(scene, fields);
-        GroundRules.check(scene.ground(), fields.get("plane").fields());
-        ShapeRules.check(scene.meshes(), fields);
-        TrackRules.check(scene, fields);
+        Problems problems = new Problems();
+        Optional<SequencedMap<String, Material>> materials = problems.read(() -> materials(fields, version, files));
+        Optional<Scene> read =
+                problems.read(() -> new SceneFormat(version, materials.orElseGet(() -> namesOf(fields)), files)
+                        .scene()
+                        .read(root));
+        problems.refuse();
+        Scene scene = read.map(found ->
+                        version < ReflectivityType.METALS_SINCE ? ReflectivityType.tintedByTracks(found) : found)
+                .orElseThrow();
+        problems.check(() -> LightRules.check(fields));
+        problems.check(() -> LightRules.checkVisible(scene, fields));
+        problems.check(() -> LightRules.checkGroups(scene, fields));
+        fields.find("camera")
+                .ifPresent(camera ->
+                        problems.check(() -> KeyframeRules.check(scene.camera().keyframes(), camera.fields())));
+        problems.check(() -> ViewRules.check(scene.views(), fields));
+        problems.check(() -> AlphaRules.check(scene, fields));
+        fields.find("plane")
+                .ifPresent(plane -> problems.check(() -> GroundRules.check(scene.ground(), plane.fields())));
+        problems.check(() -> ShapeRules.check(scene.meshes(), fields));
+        problems.check(() -> TrackRules.check(scene, fields));
         scene.pour()
-                .ifPresent(pour -> PourRules.check(
-                        pour, fields.get("pour").fields(), scene.spheres().size()));
+                .ifPresent(pour -> problems.check(() -> PourRules.check(
+                        pour, fields.get("pour").fields(), scene.spheres().size())));
+        problems.refuse();
         return scene;
     }
 
@@ -58,14 +71,26 @@ final class SceneDocument {
      * @param schema stands first, where there is one
      */
     static String of(Scene scene, NamedFiles files, Optional<String> schema) {
-        int version =
+        int needed =
                 new SceneFormat(Scene.VERSION, scene.materials(), files).scene().version(scene);
+        // Older versions have no scene without a panorama.
+        int version = scene.sky().file().equals(Sky.PLAIN) ? Scene.VERSION : needed;
         SceneFormat format = new SceneFormat(version, scene.materials(), files);
         Stream<String> named =
                 schema.map(reference -> JsonText.member(SchemaReference.FIELD, JsonText.string(reference))).stream();
         return "{\n  "
                 + Stream.concat(named, format.scene().members(scene).stream()).collect(Collectors.joining(",\n  "))
                 + "\n}\n";
+    }
+
+    /** The names of materials some of which cannot be read, so that bodies may name them. */
+    private static SequencedMap<String, Material> namesOf(Fields fields) {
+        SequencedMap<String, Material> named = new LinkedHashMap<>();
+        fields.find(SceneFormat.MATERIALS)
+                .filter(place -> place.value() instanceof ObjectValue)
+                .ifPresent(place ->
+                        place.fields().members().forEach(member -> named.put(member.name(), Material.DEFAULT)));
+        return named;
     }
 
     // Before the bodies, which name them.

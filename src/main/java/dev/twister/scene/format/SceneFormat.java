@@ -10,7 +10,6 @@ import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.CameraView;
 import dev.twister.scene.Easing;
 import dev.twister.scene.Ground;
-import dev.twister.scene.Integrator;
 import dev.twister.scene.Keyframe;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
@@ -23,7 +22,6 @@ import dev.twister.scene.Shading;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sky;
 import dev.twister.scene.Sphere;
-import dev.twister.scene.ToneMap;
 import dev.twister.scene.Track;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.ValueType.Array;
@@ -31,7 +29,6 @@ import dev.twister.scene.format.ValueType.Choice;
 import dev.twister.scene.format.ValueType.Decimal;
 import dev.twister.scene.format.ValueType.FilePath;
 import dev.twister.scene.format.ValueType.Flag;
-import dev.twister.scene.format.ValueType.GroupName;
 import dev.twister.scene.format.ValueType.Lines;
 import dev.twister.scene.format.ValueType.Structure;
 import dev.twister.scene.format.ValueType.Text;
@@ -40,16 +37,23 @@ import dev.twister.scene.format.ValueType.WholeNumber;
 import dev.twister.scene.generate.Palette;
 import dev.twister.scene.generate.Pour;
 import dev.twister.scene.light.Lights;
+import dev.twister.scene.material.Reflectance;
+import dev.twister.scene.property.BodyProperties;
+import dev.twister.scene.property.CameraProperties;
+import dev.twister.scene.property.LightProperties;
+import dev.twister.scene.property.MaterialProperties;
+import dev.twister.scene.property.Property;
 import dev.twister.scene.property.Range;
 import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.property.SceneProperties;
 import dev.twister.scene.select.Tag;
 import dev.twister.scene.select.Title;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.SequencedMap;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /**
  * The fields of a scene file of some version: the one list that reader and writer go by, and that the schema is held
@@ -76,7 +80,7 @@ final class SceneFormat {
 
     private static final ValueType<Vector3> POSITION = ValueType.vector(SceneLimits.POSITION);
     private static final ValueType<Double> LENGTH = new Decimal(SceneLimits.LENGTH);
-    private static final ValueType<Rgb> ALBEDO = ValueType.color(SceneLimits.ALBEDO);
+    private static final ValueType<Rgb> ALBEDO = ValueType.color(SceneLimits.SHARE);
     private static final ValueType<Boolean> FLAG = new Flag();
     private static final ValueType<String> REFERENCE = new Text(0, SceneLimits.MAX_PATH_LENGTH);
 
@@ -91,42 +95,24 @@ final class SceneFormat {
                     required("position", POSITION, CameraKeyframe::position, CameraKeyframe::withPosition),
                     required(
                             "yaw",
-                            new Decimal(SceneLimits.YAW),
+                            decimal(CameraProperties.YAW),
                             CameraKeyframe::yawDegrees,
                             CameraKeyframe::withYawDegrees),
                     required(
                             "pitch",
-                            new Decimal(SceneLimits.PITCH),
+                            decimal(CameraProperties.PITCH),
                             CameraKeyframe::pitchDegrees,
                             CameraKeyframe::withPitchDegrees),
                     optional(
                             "fieldOfView",
-                            new Decimal(SceneLimits.FIELD_OF_VIEW),
+                            decimal(CameraProperties.FIELD_OF_VIEW),
                             CameraKeyframe::fieldOfViewDegrees,
                             CameraKeyframe::withFieldOfViewDegrees),
                     optional(
                             "focusDistance",
-                            new Decimal(SceneLimits.FOCUS_DISTANCE),
+                            decimal(CameraProperties.FOCUS_DISTANCE),
                             CameraKeyframe::focusDistance,
                             CameraKeyframe::withFocusDistance)));
-
-    private static final List<Field<Camera, ?>> CAMERA = List.of(
-            required("position", POSITION, Camera::position, Camera::withPosition),
-            required("yaw", new Decimal(SceneLimits.YAW), Camera::yawDegrees, Camera::withYawDegrees),
-            required("pitch", new Decimal(SceneLimits.PITCH), Camera::pitchDegrees, Camera::withPitchDegrees),
-            required(
-                    "fieldOfView",
-                    new Decimal(SceneLimits.FIELD_OF_VIEW),
-                    Camera::fieldOfViewDegrees,
-                    Camera::withFieldOfViewDegrees),
-            sparse("aperture", new Decimal(SceneLimits.APERTURE), Camera::aperture, Camera::withAperture)
-                    .from(2),
-            sparse(
-                            "focusDistance",
-                            new Decimal(SceneLimits.FOCUS_DISTANCE),
-                            Camera::focusDistance,
-                            Camera::withFocusDistance)
-                    .from(2));
 
     private static final Field<Camera, List<CameraKeyframe>> KEYFRAMES = Field.<Camera, List<CameraKeyframe>>sparse(
                     KeyframeRules.FIELD,
@@ -191,66 +177,11 @@ final class SceneFormat {
             sparse("hidden", FLAG, Tag::hidden, Tag::withHidden).from(TAGS_SINCE),
             sparse("locked", FLAG, Tag::locked, Tag::withLocked).from(TAGS_SINCE));
 
-    private static final List<Field<Light, ?>> LIGHT = List.of(
-            required("position", POSITION, Light::position, Light::withPosition),
-            required("radius", LENGTH, Light::radius, Light::withRadius),
-            required("color", ValueType.color(SceneLimits.RADIANCE), Light::color, Light::withColor),
-            optional("strength", new Decimal(SceneLimits.LIGHT_STRENGTH), Light::strength, Light::withStrength)
-                    .from(LIGHTS_SINCE),
-            sparse("share", new Decimal(SceneLimits.LIGHT_SHARE), Light::share, Light::withShare)
-                    .from(LIGHTS_SINCE),
-            sparse("lightGroup", new GroupName(), Light::group, Light::withGroup)
-                    .from(LIGHTS_SINCE));
-
-    private static final List<Field<Ground, ?>> PLANE = List.of(
-            required("size", LENGTH, Ground::size, Ground::withSize),
-            required("height", new Decimal(SceneLimits.POSITION), Ground::height, Ground::withHeight));
-
     private static final Field<Ground, List<Rgb>> PLANE_COLORS = required(
             "colors",
             new Array<>(ALBEDO, 2, 2, "an array of 2 colors"),
             plane -> List.of(plane.evenColor(), plane.oddColor()),
             (plane, colors) -> plane.withColors(colors.getFirst(), colors.getLast()));
-
-    private static final List<Field<Sphere, ?>> SPHERE = List.of(
-            required("position", POSITION, Sphere::position, Sphere::withPosition),
-            required("radius", LENGTH, Sphere::radius, Sphere::withRadius));
-
-    private static final List<Field<Rendering, ?>> RENDERING = List.of(
-            written("width", new WholeNumber(SceneLimits.SIDE), Rendering::width, Rendering::withWidth),
-            written("height", new WholeNumber(SceneLimits.SIDE), Rendering::height, Rendering::withHeight),
-            written(
-                    "shadowSamples",
-                    new WholeNumber(SceneLimits.SHADOW_SAMPLES),
-                    Rendering::shadowSamples,
-                    Rendering::withShadowSamples),
-            written("bounces", new WholeNumber(SceneLimits.BOUNCES), Rendering::bounces, Rendering::withBounces),
-            written(
-                    "samplesPerPixel",
-                    new WholeNumber(SceneLimits.SAMPLES_PER_PIXEL),
-                    Rendering::samplesPerPixel,
-                    Rendering::withSamplesPerPixel),
-            written("exposure", new Decimal(SceneLimits.EXPOSURE), Rendering::exposure, Rendering::withExposure),
-            written("toneMap", new Choice<>(ToneMap.class), Rendering::toneMap, Rendering::withToneMap),
-            written("srgb", FLAG, Rendering::srgb, Rendering::withSrgb),
-            sparse("integrator", new Choice<>(Integrator.class), Rendering::integrator, Rendering::withIntegrator)
-                    .from(3),
-            sparse("clamp", new Decimal(SceneLimits.CLAMP), Rendering::clamp, Rendering::withClamp)
-                    .from(3));
-
-    private static final Structure<Physics> PHYSICS = new Structure<>(
-            Physics.DEFAULT,
-            List.of(
-                    written("gravity", ValueType.vector(SceneLimits.GRAVITY), Physics::gravity, Physics::withGravity),
-                    written(
-                            "elasticity",
-                            new Decimal(SceneLimits.ELASTICITY),
-                            Physics::elasticity,
-                            Physics::withElasticity),
-                    written("friction", new Decimal(SceneLimits.FRICTION), Physics::friction, Physics::withFriction),
-                    written("damping", new Decimal(SceneLimits.DAMPING), Physics::damping, Physics::withDamping),
-                    written("walls", FLAG, Physics::walls, Physics::withWalls),
-                    written("solidLight", FLAG, Physics::solidLight, Physics::withSolidLight)));
 
     private static final List<Field<Pour, ?>> POUR = List.of(
             required(
@@ -272,20 +203,12 @@ final class SceneFormat {
     private static final Field<Pour, Integer> POUR_SEED =
             required("seed", new WholeNumber(SceneLimits.SEED), Pour::seed, Pour::withSeed);
 
-    private static final Structure<Shading> SHADING = new Structure<>(
-            Shading.DEFAULT,
-            List.of(written(
-                    "ambient",
-                    new Decimal(SceneLimits.AMBIENT),
-                    Shading::ambient,
-                    (_, ambient) -> new Shading(ambient))));
-
     static final Version VERSION = new Version(Scene.VERSION);
 
     private final int version;
     private final NamedMaterials named;
-    private final MaterialFormat material;
-    private final MaterialFormat uncolored;
+    private final List<Field<Material, ?>> material;
+    private final List<Field<Material, ?>> uncolored;
     private final FilePath file;
 
     /**
@@ -298,25 +221,26 @@ final class SceneFormat {
         this.version = version;
         named = NamedMaterials.of(materials);
         file = new FilePath(new Text(1, SceneLimits.MAX_PATH_LENGTH), files);
-        material = MaterialFormat.whole(file);
-        uncolored = MaterialFormat.uncolored(file);
+        material = materialFields(version, files);
+        uncolored = material.subList(1, material.size());
     }
 
     Structure<Camera> camera() {
-        return structure(Camera.DEFAULT, List.of(CAMERA, List.of(KEYFRAMES)));
+        return structure(Camera.USUAL, List.of(fields(CameraProperties.ALL), List.of(KEYFRAMES)));
     }
 
     Structure<CameraView> view() {
-        List<Field<CameraView, ?>> camera = CAMERA.stream()
-                .<Field<CameraView, ?>>map(field -> field.within(CameraView::camera, CameraView::withCamera))
-                .toList();
-        return structure(CameraView.DEFAULT, List.of(List.of(VIEW_NAME), camera));
+        return structure(
+                CameraView.DEFAULT,
+                List.of(
+                        List.of(VIEW_NAME),
+                        within(fields(CameraProperties.ALL), CameraView::camera, CameraView::withCamera)));
     }
 
     ValueType<SequencedMap<String, Material>> materials() {
         return new Members<>(
                 new Text(1, SceneLimits.MAX_NAME_LENGTH),
-                Structure.of(version, Material.DEFAULT, material.fields()),
+                Structure.of(version, Material.DEFAULT, material),
                 SceneLimits.MAX_MATERIALS);
     }
 
@@ -338,13 +262,13 @@ final class SceneFormat {
                 MATERIAL,
                 structure(
                         Ground.DEFAULT.withOddColor(Ground.DEFAULT.evenColor()),
-                        List.of(PLANE, List.of(name, oddColor))),
+                        List.of(fields(BodyProperties.PLANE), List.of(name, oddColor))),
                 structure(
                         Ground.DEFAULT,
                         List.of(
-                                PLANE,
+                                fields(BodyProperties.PLANE),
                                 List.of(PLANE_COLORS),
-                                uncolored.within(Ground::material, Ground::withMaterial))),
+                                within(uncolored, Ground::material, Ground::withMaterial))),
                 plane -> named.have(plane.material()));
     }
 
@@ -354,9 +278,10 @@ final class SceneFormat {
                 .from(2);
         return new Shaped<>(
                 MATERIAL,
-                structure(Sphere.DEFAULT, List.of(SPHERE, List.of(name), tags)),
+                structure(Sphere.DEFAULT, List.of(placed(), List.of(name), tags)),
                 structure(
-                        Sphere.DEFAULT, List.of(SPHERE, material.within(Sphere::material, Sphere::withMaterial), tags)),
+                        Sphere.DEFAULT,
+                        List.of(placed(), within(material, Sphere::material, Sphere::withMaterial), tags)),
                 sphere -> named.have(sphere.material()));
     }
 
@@ -374,12 +299,7 @@ final class SceneFormat {
      * @param shading those that say how they are shaded
      */
     private Shaped<Mesh> mesh(Mesh defaults, List<Field<Mesh, ?>> triangles, List<Field<Mesh, ?>> shading) {
-        List<Field<Mesh, ?>> placement = List.of(
-                sparse("position", POSITION, Mesh::position, Mesh::withPosition).from(2),
-                sparse("rotation", ValueType.rotation(SceneLimits.ROTATION), Mesh::rotation, Mesh::withRotation)
-                        .from(2),
-                sparse("scale", new Decimal(SceneLimits.SCALE), Mesh::scale, Mesh::withScale)
-                        .from(2));
+        List<Field<Mesh, ?>> placement = fields(BodyProperties.MESH);
         List<Field<Mesh, ?>> tags = tags(Mesh::tag, Mesh::withTag);
         Field<Mesh, Material> name = Field.<Mesh, Material>required(
                         MATERIAL, named, mesh -> mesh.material().orElseThrow(), Mesh::withMaterial)
@@ -400,20 +320,73 @@ final class SceneFormat {
                                 placement,
                                 shading,
                                 List.of(color),
-                                uncolored.optional().within(Mesh::own, Mesh::withMaterial),
+                                within(
+                                        uncolored.stream()
+                                                .<Field<Material, ?>>map(Field::orDefault)
+                                                .toList(),
+                                        Mesh::own,
+                                        Mesh::withMaterial),
                                 tags)),
                 mesh -> mesh.material().filter(named::have).isPresent());
     }
 
     Structure<Pour> pour() {
         return structure(
-                Pour.DEFAULT, List.of(POUR, uncolored.within(Pour::material, Pour::withMaterial), List.of(POUR_SEED)));
+                Pour.DEFAULT.withMaterial(Material.DEFAULT),
+                List.of(POUR, within(uncolored, Pour::material, Pour::withMaterial), List.of(POUR_SEED)));
+    }
+
+    @SuppressWarnings("unchecked") // the metallic part is a number
+    private static List<Field<Material, ?>> materialFields(int version, NamedFiles files) {
+        boolean tints = version < ReflectivityType.METALS_SINCE;
+        Field<Material, Boolean> tinted = sparse(
+                        "tinted",
+                        FLAG,
+                        (Material material) -> material.reflectance() == Reflectance.TINTED,
+                        (material, tint) -> tint && material.reflectivity() > 0 && material.metallic() > 0
+                                ? material.withReflectance(Reflectance.TINTED)
+                                : material)
+                .impliedBefore(ReflectivityType.METALS_SINCE)
+                .meaning(
+                        "whether `metallic` only tints what `reflectivity` mirrors, as in files of version 3 and older");
+        Stream<Field<Material, ?>> fields = Field.of(MaterialProperties.ALL, files).stream()
+                .map(field -> switch (field.name()) {
+                    case "reflectivity" -> ReflectivityType.field(version);
+                    case "metallic" -> tints ? ReflectivityType.tint((Field<Material, Double>) field) : field;
+                    default -> field;
+                });
+        return Stream.concat(fields, Stream.of(tinted)).toList();
     }
 
     private static <R> List<Field<R, ?>> tags(Function<R, Tag> tag, BiFunction<R, Tag, R> withTag) {
-        return TAG.stream()
-                .<Field<R, ?>>map(field -> field.within(tag, withTag))
+        return within(TAG, tag, withTag);
+    }
+
+    private static <S, R> List<Field<S, ?>> within(
+            List<Field<R, ?>> fields, Function<S, R> part, BiFunction<S, R, S> withPart) {
+        return fields.stream()
+                .<Field<S, ?>>map(field -> field.within(part, withPart))
                 .toList();
+    }
+
+    /** The fields of properties none of which is a file. */
+    private static <R> List<Field<R, ?>> fields(List<Property<R, ?>> properties) {
+        return Field.of(properties, NamedFiles.UNRESOLVED);
+    }
+
+    /** A sphere without a place or a size is a mistake. */
+    private static List<Field<Sphere, ?>> placed() {
+        return fields(BodyProperties.SPHERE).stream()
+                .<Field<Sphere, ?>>map(Field::inEveryFile)
+                .toList();
+    }
+
+    private static ValueType<Double> decimal(Property<Camera, Double> property) {
+        return ValueType.of(property.type(), NamedFiles.UNRESOLVED);
+    }
+
+    private Structure<Light> oneLight() {
+        return structure(Light.DEFAULT, List.of(fields(LightProperties.ALL), tags(Light::tag, Light::withTag)));
     }
 
     private <R> Structure<R> structure(R defaults, List<List<Field<R, ?>>> parts) {
@@ -422,9 +395,9 @@ final class SceneFormat {
     }
 
     private Field<Lights, Optional<Light>> light() {
-        Field<Lights, Optional<Light>> field = required(
+        Field<Lights, Optional<Light>> field = written(
                 LightRules.ONE,
-                ValueType.present(structure(Light.DEFAULT, List.of(LIGHT, tags(Light::tag, Light::withTag)))),
+                ValueType.present(oneLight()),
                 lights -> Optional.of(lights.first()).filter(_ -> lights.count() == 1),
                 (_, light) -> Lights.of(light.orElseThrow()));
         return version < LIGHTS_SINCE ? field : field.orOther();
@@ -432,10 +405,7 @@ final class SceneFormat {
 
     private Field<Lights, Optional<List<Light>>> lights() {
         Array<Light> several = new Array<>(
-                structure(Light.DEFAULT, List.of(LIGHT, tags(Light::tag, Light::withTag))),
-                1,
-                SceneLimits.MAX_LIGHTS,
-                "an array of 1 to " + SceneLimits.MAX_LIGHTS + " lights");
+                oneLight(), 1, SceneLimits.MAX_LIGHTS, "an array of 1 to " + SceneLimits.MAX_LIGHTS + " lights");
         return Field.<Lights, Optional<List<Light>>>required(
                         LightRules.SEVERAL,
                         ValueType.present(new Lines<>(several)),
@@ -448,7 +418,7 @@ final class SceneFormat {
     Structure<Scene> scene() {
         return Structure.of(
                 version,
-                Scene.under(Path.of("")),
+                Scene.under(Sky.PLAIN).withCamera(Camera.USUAL),
                 List.of(
                         // For editors.
                         sparse(SchemaReference.FIELD, REFERENCE, _ -> "", (scene, _) -> scene),
@@ -461,7 +431,7 @@ final class SceneFormat {
                                         Title::description,
                                         Title::withDescription)
                                 .within(Scene::title, Scene::withTitle),
-                        required("camera", camera(), Scene::camera, Scene::withCamera),
+                        written("camera", camera(), Scene::camera, Scene::withCamera),
                         sparse(
                                         ViewRules.FIELD,
                                         new Lines<>(new Array<>(
@@ -476,25 +446,31 @@ final class SceneFormat {
                         lights().within(Scene::lights, Scene::withLights),
                         sparse(MATERIALS, materials(), Scene::materials, Scene::withMaterials)
                                 .from(MATERIALS_SINCE),
-                        required("plane", plane(), Scene::ground, Scene::withGround),
-                        required(SKYBOX, file, Sky::file, Sky::withFile).within(Scene::sky, Scene::withSky),
-                        sparse(
-                                        "skyRotation",
-                                        new Decimal(SceneLimits.SKY_ROTATION),
-                                        Sky::rotationDegrees,
-                                        Sky::withRotationDegrees)
+                        written("plane", plane(), Scene::ground, Scene::withGround),
+                        sparse(SKYBOX, file, Sky::file, Sky::withFile).within(Scene::sky, Scene::withSky),
+                        Field.of(SceneProperties.SKY_ROTATION, NamedFiles.UNRESOLVED)
+                                .named("skyRotation")
                                 .within(Scene::sky, Scene::withSky),
-                        sparse("skyStrength", new Decimal(SceneLimits.SKY_STRENGTH), Sky::strength, Sky::withStrength)
+                        Field.of(SceneProperties.SKY_STRENGTH, NamedFiles.UNRESOLVED)
+                                .named("skyStrength")
                                 .within(Scene::sky, Scene::withSky),
-                        written("shading", SHADING, Scene::shading, Scene::withShading),
+                        written(
+                                "shading",
+                                structure(Shading.DEFAULT, List.of(fields(SceneProperties.SHADING))),
+                                Scene::shading,
+                                Scene::withShading),
                         written(
                                 "rendering",
-                                structure(Rendering.DEFAULT, List.of(RENDERING)),
+                                structure(Rendering.DEFAULT, List.of(fields(SceneProperties.RENDERING))),
                                 Scene::rendering,
                                 Scene::withRendering),
-                        sparse("physics", PHYSICS, Scene::physics, Scene::withPhysics),
+                        sparse(
+                                "physics",
+                                structure(Physics.DEFAULT, List.of(fields(SceneProperties.PHYSICS))),
+                                Scene::physics,
+                                Scene::withPhysics),
                         optional("pour", pour(), Scene::pour, Scene::withPour),
-                        required(
+                        written(
                                 "spheres",
                                 new Lines<>(new Array<>(
                                         sphere(),

@@ -44,7 +44,8 @@ public final class SceneReader {
      * @throws SceneException if the file cannot be read or is not a valid scene; the message is one line
      */
     public static Scene readUnder(Path skybox, Path file) {
-        return SceneDocument.parse(SourceFile.read(file), new FilesUnderSky(skybox, beside(file, true)));
+        Scene scene = SceneDocument.parse(SourceFile.read(file), new FilesUnderSky(skybox, beside(file, true)));
+        return scene.withSky(scene.sky().withFile(skybox));
     }
 
     /**

@@ -6,7 +6,8 @@ import dev.twister.scene.SceneException;
 import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.format.json.JsonText;
-import dev.twister.scene.property.AnimatedProperty;
+import dev.twister.scene.property.Property;
+import dev.twister.scene.property.TrackProperties;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -51,25 +52,25 @@ final class TrackRules {
                             "one of the scene's " + target.kind().label() + ", of which it has " + target.count(scene));
         }
         List<String> names =
-                AnimatedProperty.of(target).stream().map(AnimatedProperty::name).toList();
+                TrackProperties.of(target).stream().map(Property::name).toList();
         if (!names.contains(track.property())) {
             throw place.get(PROPERTY).refused("one of the properties of " + target + ": " + String.join(", ", names));
         }
-        AnimatedProperty<Scene> property =
-                AnimatedProperty.find(target, track.property()).orElseThrow();
+        Property<Scene, ?> property =
+                TrackProperties.find(target, track.property()).orElseThrow();
         List<Fields> keyframes = place.get(KEYFRAMES).items(1, track.keyframes().size(), "", Place::fields);
         for (int index = 0; index < keyframes.size(); index++) {
             check(property, track.keyframes(), index, keyframes.get(index));
         }
     }
 
-    private static void check(AnimatedProperty<Scene> property, List<Keyframe> keyframes, int index, Fields place) {
+    private static void check(Property<Scene, ?> property, List<Keyframe> keyframes, int index, Fields place) {
         Keyframe keyframe = keyframes.get(index);
-        boolean fits = keyframe.value().size() == property.size()
+        boolean fits = keyframe.value().size() == property.count()
                 && keyframe.value().stream().allMatch(property.range()::contains);
         if (!fits) {
             throw place.get(VALUE)
-                    .refused((property.size() == 1 ? "a number " : "an array of 3 numbers ") + property.range());
+                    .refused((property.count() == 1 ? "a number " : "an array of 3 numbers ") + property.range());
         }
         if (index > 0 && keyframe.seconds() <= keyframes.get(index - 1).seconds()) {
             throw place.get(TIME)

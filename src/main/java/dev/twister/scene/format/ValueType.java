@@ -1,14 +1,15 @@
 package dev.twister.scene.format;
 
 import dev.twister.scene.Rgb;
-import dev.twister.scene.Rotation;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.json.Excerpt;
 import dev.twister.scene.format.json.JsonText;
 import dev.twister.scene.format.json.LocatedValue;
 import dev.twister.scene.light.LightGroup;
+import dev.twister.scene.property.PropertyType;
 import dev.twister.scene.property.Range;
+import dev.twister.scene.property.SceneLimits;
 import java.io.File;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -32,6 +33,7 @@ sealed interface ValueType<T>
                 NamedMaterials,
                 NumberOrVector,
                 ObjectType,
+                ReflectivityType,
                 TrackTargetType,
                 ValueType.Array,
                 ValueType.Choice,
@@ -298,21 +300,26 @@ sealed interface ValueType<T>
         @Override
         public R read(Place place, List<String> alternatives) {
             Fields found = place.fields();
+            Problems problems = new Problems();
             for (Field<R, ?> field : newer) {
-                found.find(field.name()).ifPresent(value -> {
-                    throw value.failure("needs \"version\": " + field.since() + " at the top of the file");
-                });
+                found.find(field.name())
+                        .ifPresent(value -> problems.add(
+                                value.failure("needs \"version\": " + field.since() + " at the top of the file")));
             }
-            found.check(
-                    names(true),
-                    Stream.concat(names(false).stream(), alternatives.stream()).toList());
+            problems.refuse();
+            List<String> known =
+                    Stream.of(names(false), alternatives).flatMap(List::stream).toList();
+            found.check(names(true), known, problems);
             R record = defaults;
             for (Field<R, ?> field : fields) {
                 Optional<Place> value = found.find(field.name());
-                if (value.isPresent()) {
-                    record = field.read(record, value.get());
+                if (value.isPresent() && !problems.isFull()) {
+                    R before = record;
+                    record =
+                            problems.read(() -> field.read(before, value.get())).orElse(before);
                 }
             }
+            problems.refuse();
             return record;
         }
 
@@ -356,25 +363,37 @@ sealed interface ValueType<T>
         }
     }
 
-    static ValueType<Vector3> vector(Range range) {
-        return new Converted<>(
-                new Array<>(new Decimal(range), 3, 3, "an array of 3 numbers [x, y, z]"),
-                axes -> new Vector3(axes.get(0), axes.get(1), axes.get(2)),
-                vector -> List.of(vector.x(), vector.y(), vector.z()));
+    /** How a property's value stands there. */
+    @SuppressWarnings("unchecked") // a type's values are of its parameter
+    static <T> ValueType<T> of(PropertyType<T> type, NamedFiles files) {
+        return (ValueType<T>)
+                switch (type) {
+                    case PropertyType.Decimal(Range range) -> new Decimal(range);
+                    case PropertyType.Whole(Range range) -> new WholeNumber(range);
+                    case PropertyType.Vector vector -> three(vector, "[x, y, z]");
+                    case PropertyType.Turn turn -> three(turn, "[yaw, pitch, roll]");
+                    case PropertyType.Color color -> three(color, "[red, green, blue]");
+                    case PropertyType.Flag() -> new Flag();
+                    case PropertyType.Choice<?> choice -> new Choice<>(choice.constants());
+                    case PropertyType.LayerName() -> new GroupName();
+                    case PropertyType.Image() -> new FilePath(new Text(1, SceneLimits.MAX_PATH_LENGTH), files);
+                    case PropertyType.Given<?>(PropertyType<?> given) -> present(of(given, files));
+                };
     }
 
-    static ValueType<Rotation> rotation(Range range) {
+    private static <T> ValueType<T> three(PropertyType.Numbers<T> type, String names) {
         return new Converted<>(
-                new Array<>(new Decimal(range), 3, 3, "an array of 3 numbers [yaw, pitch, roll]"),
-                angles -> new Rotation(angles.get(0), angles.get(1), angles.get(2)),
-                turn -> List.of(turn.yawDegrees(), turn.pitchDegrees(), turn.rollDegrees()));
+                new Array<>(new Decimal(type.range()), 3, 3, "an array of 3 numbers " + names),
+                type::of,
+                type::numbers);
+    }
+
+    static ValueType<Vector3> vector(Range range) {
+        return three(new PropertyType.Vector(range), "[x, y, z]");
     }
 
     static ValueType<Rgb> color(Range range) {
-        return new Converted<>(
-                new Array<>(new Decimal(range), 3, 3, "an array of 3 numbers [red, green, blue]"),
-                channels -> new Rgb(channels.get(0), channels.get(1), channels.get(2)),
-                color -> List.of(color.red(), color.green(), color.blue()));
+        return three(new PropertyType.Color(range), "[red, green, blue]");
     }
 
     /** A value that is there wherever it is written. */

@@ -6,6 +6,7 @@ import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.Copied;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -26,6 +27,7 @@ import java.util.Random;
  * @param material what the spheres are made of; their colors are the palette's
  * @param seed another one gives other places, radii and colors
  */
+@Copied
 public record Pour(
         int count,
         double rate,
@@ -36,7 +38,8 @@ public record Pour(
         double maxRadius,
         Palette palette,
         Material material,
-        int seed) {
+        int seed)
+        implements PourCopy.With {
     /** One sphere of radius 0.1 m at the origin; to be changed by {@code with...} methods. */
     public static final Pour DEFAULT =
             new Pour(1, 1, Vector3.ZERO, 1, 1, 0.1, 0.1, Palette.DUSK, Material.DEFAULT.withReflectivity(8), 1);
@@ -64,44 +67,12 @@ public record Pour(
         return PouredSpheres.places(this) * speed / (2 * maxRadius);
     }
 
-    public Pour withCount(int newCount) {
-        return new Pour(newCount, rate, position, width, speed, minRadius, maxRadius, palette, material, seed);
-    }
-
-    public Pour withRate(double newRate) {
-        return new Pour(count, newRate, position, width, speed, minRadius, maxRadius, palette, material, seed);
-    }
-
-    public Pour withPosition(Vector3 newPosition) {
-        return new Pour(count, rate, newPosition, width, speed, minRadius, maxRadius, palette, material, seed);
-    }
-
-    public Pour withWidth(double newWidth) {
-        return new Pour(count, rate, position, newWidth, speed, minRadius, maxRadius, palette, material, seed);
-    }
-
-    public Pour withSpeed(double newSpeed) {
-        return new Pour(count, rate, position, width, newSpeed, minRadius, maxRadius, palette, material, seed);
-    }
-
     public Pour withRadii(double newMinRadius, double newMaxRadius) {
         return new Pour(count, rate, position, width, speed, newMinRadius, newMaxRadius, palette, material, seed);
     }
 
-    public Pour withPalette(Palette newPalette) {
-        return new Pour(count, rate, position, width, speed, minRadius, maxRadius, newPalette, material, seed);
-    }
-
-    public Pour withMaterial(Material newMaterial) {
-        return new Pour(count, rate, position, width, speed, minRadius, maxRadius, palette, newMaterial, seed);
-    }
-
     public Pour withReflectivity(double newReflectivity) {
         return withMaterial(material.withReflectivity(newReflectivity));
-    }
-
-    public Pour withSeed(int newSeed) {
-        return new Pour(count, rate, position, width, speed, minRadius, maxRadius, palette, material, newSeed);
     }
 
     /** Places in a spout: points of Vogel's sunflower that keep spheres apart, taken in turn in a shuffled order. */

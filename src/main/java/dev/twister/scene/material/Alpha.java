@@ -2,13 +2,16 @@ package dev.twister.scene.material;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.property.Copied;
+
 /**
  * Opacity of a mesh.
  *
  * @param factor multiplies what maps and vertices say, in [0, 1]
  * @param cutoff with a mask, lower opacities are cut out
  */
-public record Alpha(Mode mode, double factor, double cutoff) {
+@Copied
+public record Alpha(Mode mode, double factor, double cutoff) implements AlphaCopy.With {
     public static final Alpha OPAQUE = new Alpha(Mode.OPAQUE, 1, 0.5);
 
     public Alpha {
@@ -23,13 +26,5 @@ public record Alpha(Mode mode, double factor, double cutoff) {
         MASK,
         /** What is behind passes in part. */
         BLEND
-    }
-
-    public Alpha withMode(Mode newMode) {
-        return new Alpha(newMode, factor, cutoff);
-    }
-
-    public Alpha withCutoff(double newCutoff) {
-        return new Alpha(mode, factor, newCutoff);
     }
 }

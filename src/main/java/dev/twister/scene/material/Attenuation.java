@@ -3,6 +3,7 @@ package dev.twister.scene.material;
 import static java.util.Objects.requireNonNull;
 
 import dev.twister.scene.Rgb;
+import dev.twister.scene.property.Copied;
 import java.util.Optional;
 
 /**
@@ -11,7 +12,8 @@ import java.util.Optional;
  * @param color in [0, 1] per channel
  * @param distance in meters, above 0; without one nothing is lost
  */
-public record Attenuation(Rgb color, Optional<Double> distance) {
+@Copied
+public record Attenuation(Rgb color, Optional<Double> distance) implements AttenuationCopy.With {
     public static final Attenuation NONE = new Attenuation(new Rgb(1, 1, 1), Optional.empty());
 
     public Attenuation {
@@ -19,11 +21,7 @@ public record Attenuation(Rgb color, Optional<Double> distance) {
         requireNonNull(distance, "distance");
     }
 
-    public Attenuation withColor(Rgb newColor) {
-        return new Attenuation(newColor, distance);
-    }
-
     public Attenuation withDistance(double newDistance) {
-        return new Attenuation(color, Optional.of(newDistance));
+        return withDistance(Optional.of(newDistance));
     }
 }

@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import dev.twister.scene.Rgb;
 import dev.twister.scene.light.LightGroup;
+import dev.twister.scene.property.Copied;
 
 /**
  * Light that a body emits.
@@ -13,7 +14,8 @@ import dev.twister.scene.light.LightGroup;
  * @param doubleSided whether triangles emit on both sides; otherwise on the outer one alone. Spheres emit outward.
  * @param group name of the layer that the light goes to, see {@link LightGroup}
  */
-public record Emission(Rgb color, double strength, boolean doubleSided, String group) {
+@Copied
+public record Emission(Rgb color, double strength, boolean doubleSided, String group) implements EmissionCopy.With {
     public static final Emission NONE = new Emission(new Rgb(0, 0, 0), 1, true, LightGroup.NONE);
 
     public Emission {
@@ -28,21 +30,5 @@ public record Emission(Rgb color, double strength, boolean doubleSided, String g
 
     public boolean isNone() {
         return strength * (color.red() + color.green() + color.blue()) == 0;
-    }
-
-    public Emission withColor(Rgb newColor) {
-        return new Emission(newColor, strength, doubleSided, group);
-    }
-
-    public Emission withStrength(double newStrength) {
-        return new Emission(color, newStrength, doubleSided, group);
-    }
-
-    public Emission withDoubleSided(boolean newDoubleSided) {
-        return new Emission(color, strength, newDoubleSided, group);
-    }
-
-    public Emission withGroup(String newGroup) {
-        return new Emission(color, strength, doubleSided, newGroup);
     }
 }

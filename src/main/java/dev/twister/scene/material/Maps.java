@@ -2,6 +2,7 @@ package dev.twister.scene.material;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.property.Copied;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -18,6 +19,7 @@ import java.util.stream.Stream;
  * @param transmission its red channel multiplies the transmission
  * @param alpha its red channel is the opacity; without it, that is the texture's alpha channel
  */
+@Copied
 public record Maps(
         Sampler texture,
         Optional<ImageMap> emission,
@@ -26,7 +28,8 @@ public record Maps(
         Optional<ImageMap> normal,
         Optional<ImageMap> occlusion,
         Optional<ImageMap> transmission,
-        Optional<ImageMap> alpha) {
+        Optional<ImageMap> alpha)
+        implements MapsCopy.With {
     public static final Maps NONE = new Maps(
             Sampler.DEFAULT,
             Optional.empty(),
@@ -55,39 +58,35 @@ public record Maps(
                 .toList();
     }
 
-    public Maps withTexture(Sampler newTexture) {
-        return new Maps(newTexture, emission, roughness, metallic, normal, occlusion, transmission, alpha);
-    }
-
     public Maps withEmission(ImageMap newEmission) {
-        return new Maps(texture, Optional.of(newEmission), roughness, metallic, normal, occlusion, transmission, alpha);
+        return withEmission(Optional.of(newEmission));
     }
 
     public Maps withRoughness(ImageMap newRoughness) {
-        return new Maps(texture, emission, Optional.of(newRoughness), metallic, normal, occlusion, transmission, alpha);
+        return withRoughness(Optional.of(newRoughness));
     }
 
     public Maps withMetallic(ImageMap newMetallic) {
-        return new Maps(texture, emission, roughness, Optional.of(newMetallic), normal, occlusion, transmission, alpha);
+        return withMetallic(Optional.of(newMetallic));
     }
 
     public Maps withNormal(ImageMap newNormal) {
-        return new Maps(texture, emission, roughness, metallic, Optional.of(newNormal), occlusion, transmission, alpha);
+        return withNormal(Optional.of(newNormal));
     }
 
     public Maps withOcclusion(ImageMap newOcclusion) {
-        return new Maps(texture, emission, roughness, metallic, normal, Optional.of(newOcclusion), transmission, alpha);
+        return withOcclusion(Optional.of(newOcclusion));
     }
 
     public Maps withTransmission(ImageMap newTransmission) {
-        return new Maps(texture, emission, roughness, metallic, normal, occlusion, Optional.of(newTransmission), alpha);
+        return withTransmission(Optional.of(newTransmission));
     }
 
     public Maps withAlpha(ImageMap newAlpha) {
-        return new Maps(texture, emission, roughness, metallic, normal, occlusion, transmission, Optional.of(newAlpha));
+        return withAlpha(Optional.of(newAlpha));
     }
 
     public Maps withoutAlpha() {
-        return new Maps(texture, emission, roughness, metallic, normal, occlusion, transmission, Optional.empty());
+        return withAlpha(Optional.empty());
     }
 }

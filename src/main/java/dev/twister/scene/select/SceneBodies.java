@@ -3,6 +3,7 @@ package dev.twister.scene.select;
 import dev.twister.scene.Body;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.property.Copied;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -11,7 +12,8 @@ import java.util.List;
  *
  * @param spheres those that are there from the start
  */
-public record SceneBodies(List<Sphere> spheres, List<Mesh> meshes) {
+@Copied
+public record SceneBodies(List<Sphere> spheres, List<Mesh> meshes) implements SceneBodiesCopy.With {
     public static final SceneBodies NONE = new SceneBodies(List.of(), List.of());
 
     public SceneBodies {
@@ -30,14 +32,6 @@ public record SceneBodies(List<Sphere> spheres, List<Mesh> meshes) {
             }
         }
         return new SceneBodies(allSpheres, allMeshes);
-    }
-
-    public SceneBodies withSpheres(List<Sphere> newSpheres) {
-        return new SceneBodies(newSpheres, meshes);
-    }
-
-    public SceneBodies withMeshes(List<Mesh> newMeshes) {
-        return new SceneBodies(spheres, newMeshes);
     }
 
     /** With another sphere at an index. */

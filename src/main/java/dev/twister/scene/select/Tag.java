@@ -2,6 +2,8 @@ package dev.twister.scene.select;
 
 import static java.util.Objects.requireNonNull;
 
+import dev.twister.scene.property.Copied;
+
 /**
  * What a body or a light is called, and how it is kept while a scene is edited.
  *
@@ -10,28 +12,13 @@ import static java.util.Objects.requireNonNull;
  * @param hidden not in pictures, films and simulations, see {@link VisibleBodies}
  * @param locked not selected by pointing at it, and not moved or deleted with others
  */
-public record Tag(String name, String group, boolean hidden, boolean locked) {
+@Copied
+public record Tag(String name, String group, boolean hidden, boolean locked) implements TagCopy.With {
     /** Without a name and a group, seen and free. */
     public static final Tag NONE = new Tag("", "", false, false);
 
     public Tag {
         requireNonNull(name, "name");
         requireNonNull(group, "group");
-    }
-
-    public Tag withName(String newName) {
-        return new Tag(newName, group, hidden, locked);
-    }
-
-    public Tag withGroup(String newGroup) {
-        return new Tag(name, newGroup, hidden, locked);
-    }
-
-    public Tag withHidden(boolean isHidden) {
-        return new Tag(name, group, isHidden, locked);
-    }
-
-    public Tag withLocked(boolean isLocked) {
-        return new Tag(name, group, hidden, isLocked);
     }
 }

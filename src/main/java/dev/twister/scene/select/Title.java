@@ -1,19 +1,14 @@
 package dev.twister.scene.select;
 
+import dev.twister.scene.property.Copied;
+
 /**
  * What a scene is called.
  *
  * @param name short, may be empty
  * @param description a sentence for a person, may be empty
  */
-public record Title(String name, String description) {
+@Copied
+public record Title(String name, String description) implements TitleCopy.With {
     public static final Title NONE = new Title("", "");
-
-    public Title withName(String newName) {
-        return new Title(newName, description);
-    }
-
-    public Title withDescription(String newDescription) {
-        return new Title(name, newDescription);
-    }
 }

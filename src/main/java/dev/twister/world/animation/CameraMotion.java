@@ -3,6 +3,7 @@ package dev.twister.world.animation;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.CameraProperties;
 import dev.twister.scene.property.SceneLimits;
 
 /** Interactive camera movement, independent of the frame rate. */
@@ -60,7 +61,7 @@ public final class CameraMotion {
     public static Camera look(Camera camera, double rightDegrees, double downDegrees) {
         double yaw = camera.yawDegrees() + rightDegrees;
         return camera.withYawDegrees(yaw - FULL_TURN_DEGREES * Math.floor(yaw / FULL_TURN_DEGREES + 0.5))
-                .withPitchDegrees(SceneLimits.PITCH.clamp(camera.pitchDegrees() + downDegrees));
+                .withPitchDegrees(CameraProperties.PITCH.range().clamp(camera.pitchDegrees() + downDegrees));
     }
 
     /**
@@ -69,8 +70,9 @@ public final class CameraMotion {
      * @param notches of the mouse wheel, positive away from the user; may be fractional
      */
     public static Camera zoom(Camera camera, double notches) {
-        return camera.withFieldOfViewDegrees(
-                SceneLimits.FIELD_OF_VIEW.clamp(camera.fieldOfViewDegrees() * Math.pow(ZOOM_OF_A_NOTCH, notches)));
+        return camera.withFieldOfViewDegrees(CameraProperties.FIELD_OF_VIEW
+                .range()
+                .clamp(camera.fieldOfViewDegrees() * Math.pow(ZOOM_OF_A_NOTCH, notches)));
     }
 
     /** The camera, raised above the plane if it is below. */

@@ -4,6 +4,7 @@ import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.CameraProperties;
 import dev.twister.scene.property.Range;
 import dev.twister.scene.property.SceneLimits;
 import java.util.List;
@@ -32,12 +33,14 @@ public final class CameraPath {
                 curve.value(key -> key.position().y(), SceneLimits.POSITION),
                 curve.value(key -> key.position().z(), SceneLimits.POSITION));
         return camera.withPosition(position)
-                .withYawDegrees(curve.value(CameraKeyframe::yawDegrees, SceneLimits.YAW))
-                .withPitchDegrees(curve.value(CameraKeyframe::pitchDegrees, SceneLimits.PITCH))
+                .withYawDegrees(curve.value(CameraKeyframe::yawDegrees, CameraProperties.YAW.range()))
+                .withPitchDegrees(curve.value(CameraKeyframe::pitchDegrees, CameraProperties.PITCH.range()))
                 .withFieldOfViewDegrees(curve.value(
-                        key -> key.fieldOfViewDegrees().orElse(camera.fieldOfViewDegrees()), SceneLimits.FIELD_OF_VIEW))
+                        key -> key.fieldOfViewDegrees().orElse(camera.fieldOfViewDegrees()),
+                        CameraProperties.FIELD_OF_VIEW.range()))
                 .withFocusDistance(curve.value(
-                        key -> key.focusDistance().orElse(camera.focusDistance()), SceneLimits.FOCUS_DISTANCE));
+                        key -> key.focusDistance().orElse(camera.focusDistance()),
+                        CameraProperties.FOCUS_DISTANCE.range()));
     }
 
     /**

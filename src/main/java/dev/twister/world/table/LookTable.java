@@ -130,7 +130,9 @@ public final class LookTable {
         looks[look + Layout.LOOK_ROUGHNESS] = glossy ? (float) material.roughness() : 0;
         looks[look + Layout.LOOK_IOR] = fresnel || transmission > 0 ? (float) material.ior() : 0;
         looks[look + Layout.LOOK_METALLIC] = (float) material.metallic();
-        looks[look + Layout.LOOK_FRESNEL] = fresnel ? 1 : 0;
+        boolean beside = material.isMetalOverMirror();
+        looks[look + Layout.LOOK_FRESNEL] = fresnel ? 1 : beside ? -1 : 0;
+        looks[look + Layout.LOOK_BESIDE_METAL] = beside ? (float) material.reflectivity() : 0;
         putEmission(looks, look, material.emission());
         material.attenuation().distance().ifPresent(distance -> putAbsorption(looks, look, material, distance));
         looks[look + Layout.LOOK_MAPS] = maps;

@@ -2,7 +2,7 @@ package dev.twister.gui.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.property.MaterialNumbers;
+import dev.twister.gui.property.DerivedNumbers;
 import dev.twister.gui.property.NumberProperty;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Material;
@@ -10,6 +10,8 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.material.ImageMap;
+import dev.twister.scene.material.Maps;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -82,26 +84,39 @@ class BodyMaterialsTest {
 
     @ParameterizedTest
     @EnumSource
-    void aPresetIsKnownAgainWhateverTheColorAndTheTexture(BodyMaterials.Preset preset) {
+    void aPresetIsKnownAgainWhateverTheTexture(MaterialPreset preset) {
         Material painted = STEEL.withColor(new Rgb(1, 0, 0)).withTexture(Path.of("earth.png"));
 
         Material applied = preset.appliedTo(painted);
 
-        assertThat(BodyMaterials.Preset.of(applied)).contains(preset);
-        assertThat(applied.color()).isEqualTo(painted.color());
+        assertThat(MaterialPreset.of(applied)).contains(preset);
         assertThat(applied.texture()).isEqualTo(painted.texture());
-        assertThat(BodyMaterials.Preset.of(applied.withIor(3.21))).isEmpty();
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aPresetKeepsWhatItDoesNotName(MaterialPreset preset) {
+        Material lamp =
+                MaterialPreset.LAMP.appliedTo(STEEL).withMaps(Maps.NONE.withNormal(ImageMap.of(Path.of("bricks.png"))));
+
+        Material applied = preset.appliedTo(lamp);
+
+        assertThat(applied.emission()).isEqualTo(lamp.emission());
+        assertThat(applied.maps()).isEqualTo(lamp.maps());
+        assertThat(MaterialPreset.PLASTIC.appliedTo(lamp).color()).isEqualTo(lamp.color());
     }
 
     @Test
     void reflectivityIsPerCentWithTheFilesNumberBesideIt() {
-        NumberProperty<Scene> setting = MaterialNumbers.of(FIRST + 1, MaterialNumbers.REFLECTIVITY);
+        NumberProperty<Scene> setting = DerivedNumbers.REFLECTIVITY.in(
+                scene -> BodyMaterials.of(scene, FIRST + 1),
+                (scene, edit) -> BodyMaterials.edited(scene, FIRST + 1, edit));
 
         assertThat(setting.scale().text(setting.read(scene))).isEqualTo("81.3");
-        assertThat(MaterialNumbers.percentUnit(STEEL)).isEqualTo("% (p 104)");
+        assertThat(DerivedNumbers.percentUnit(STEEL)).isEqualTo("% (p 104)");
         Scene edited = setting.write(scene, 33.3);
         assertThat(BodyMaterials.of(edited, FIRST + 1).reflectivity()).isEqualTo(42.624);
-        assertThat(MaterialNumbers.percentUnit(BodyMaterials.of(edited, FIRST + 1)))
+        assertThat(DerivedNumbers.percentUnit(BodyMaterials.of(edited, FIRST + 1)))
                 .isEqualTo("% (p 42.62)");
     }
 

@@ -3,8 +3,8 @@ package dev.twister.gui.edit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.picking.PointerRay;
-import dev.twister.gui.property.LightNumbers;
 import dev.twister.gui.property.NumberProperty;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.mesh.MeshFile;
 import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Light;
@@ -84,7 +84,7 @@ class SeveralLightsEditsTest {
 
     @Test
     void numbersOfOneChangeItAlone() {
-        NumberProperty<Scene> height = LightNumbers.of(() -> 2).get(1);
+        NumberProperty<Scene> height = PropertyNumbers.ofLight(() -> 2).get(1);
 
         assertThat(height.read(scene)).isEqualTo(4);
         assertThat(height.write(scene, 6).lights().list())
@@ -107,7 +107,7 @@ class SeveralLightsEditsTest {
     }
 
     private static NumberProperty<Scene> number(String label) {
-        return LightNumbers.of(() -> 1).stream()
+        return PropertyNumbers.ofLight(() -> 1).stream()
                 .filter(number -> number.label().equals(label))
                 .findFirst()
                 .orElseThrow();

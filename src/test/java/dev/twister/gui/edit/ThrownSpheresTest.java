@@ -2,7 +2,7 @@ package dev.twister.gui.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.gui.property.BodyNumbers;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;
@@ -120,7 +120,8 @@ class ThrownSpheresTest {
                 .isFalse();
         assertThat(ThrownSpheres.fit(
                         thrown,
-                        BodyNumbers.ofSphere(Layout.FIRST_SPHERE, BodyNumbers.SPHERE.getLast())
+                        PropertyNumbers.ofBody(before, Layout.FIRST_SPHERE)
+                                .getLast()
                                 .write(before, 2)))
                 .isFalse();
     }

@@ -12,7 +12,7 @@ import dev.twister.scene.Light;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.light.Lights;
-import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.property.CameraProperties;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneMeshes;
 import java.util.List;
@@ -89,7 +89,8 @@ class PickingTest {
         double[] side = pixelOf(new Vector3(3, 0, -4));
         assertThat(PointerRay.focusDistance(input, side[0], side[1])).isCloseTo(6, within(1e-4));
         double[] sky = pixelOf(new Vector3(0, 7, 0));
-        assertThat(PointerRay.focusDistance(input, sky[0], sky[1])).isEqualTo(SceneLimits.FOCUS_DISTANCE.max());
+        assertThat(PointerRay.focusDistance(input, sky[0], sky[1]))
+                .isEqualTo(CameraProperties.FOCUS_DISTANCE.range().max());
     }
 
     @Test

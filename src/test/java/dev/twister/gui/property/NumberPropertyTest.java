@@ -3,9 +3,13 @@ package dev.twister.gui.property;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.gui.edit.BodyMaterials;
 import dev.twister.gui.edit.Scenes;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
+import dev.twister.scene.property.BodyProperties;
+import dev.twister.scene.property.Property;
+import dev.twister.scene.property.SceneProperties;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,16 +20,27 @@ class NumberPropertyTest {
 
     static Stream<NumberProperty<Scene>> all() {
         int body = Layout.FIRST_SPHERE + 1;
+        Scene scene = Scenes.scene();
+        Stream<NumberProperty<Scene>> materials = Stream.of(body, Layout.PLANE)
+                .flatMap(of -> PropertyNumbers.ofMaterial().stream()
+                        .map(number -> number.in(
+                                whole -> BodyMaterials.of(whole, of),
+                                (whole, edit) -> BodyMaterials.edited(whole, of, edit))));
         return Stream.of(
-                        SceneNumbers.PICTURE.stream(),
-                        CameraNumbers.ALL.stream(),
-                        LightNumbers.ALL.stream(),
-                        SceneNumbers.SKY.stream(),
-                        SceneNumbers.PLANE.stream(),
-                        SceneNumbers.PHYSICS.stream(),
-                        BodyNumbers.SPHERE.stream().map(number -> BodyNumbers.ofSphere(body, number)),
-                        MaterialNumbers.ALL.stream().map(number -> MaterialNumbers.of(body, number)),
-                        Stream.of(MaterialNumbers.of(Layout.PLANE, MaterialNumbers.REFLECTIVITY)))
+                        PropertyNumbers.of(
+                                Property.within(SceneProperties.RENDERING, Scene::rendering, Scene::withRendering))
+                                .stream(),
+                        PropertyNumbers.ofCamera().stream(),
+                        PropertyNumbers.ofLight(() -> 0).stream(),
+                        PropertyNumbers.of(Property.within(SceneProperties.SKY, Scene::sky, Scene::withSky)).stream(),
+                        PropertyNumbers.of(Property.within(SceneProperties.SHADING, Scene::shading, Scene::withShading))
+                                .stream(),
+                        PropertyNumbers.of(Property.within(BodyProperties.PLANE, Scene::ground, Scene::withGround))
+                                .stream(),
+                        PropertyNumbers.of(Property.within(SceneProperties.PHYSICS, Scene::physics, Scene::withPhysics))
+                                .stream(),
+                        PropertyNumbers.ofBody(scene, body).stream(),
+                        materials)
                 .flatMap(numbers -> numbers);
     }
 
@@ -75,7 +90,7 @@ class NumberPropertyTest {
 
     @Test
     void whatIsTypedIsCheckedAgainstTheScenesLimits() {
-        NumberProperty<Scene> shadows = SceneNumbers.SHADOW_SAMPLES;
+        NumberProperty<Scene> shadows = PropertyNumbers.SHADOW_SAMPLES;
         assertThat(shadows.scale().parse(" 700 ")).contains(700.0);
         assertThat(shadows.scale().parse("0")).isEmpty();
         assertThat(shadows.scale().parse("1025")).isEmpty();
@@ -83,53 +98,60 @@ class NumberPropertyTest {
         assertThat(shadows.scale().parse("NaN")).isEmpty();
         assertThat(shadows.scale().parse("")).isEmpty();
         assertThat(shadows.scale().parse("1e999999999")).isEmpty();
-        assertThat(SceneNumbers.EXPOSURE.scale().parse("-0,5")).contains(-0.5);
+        assertThat(PropertyNumbers.EXPOSURE.scale().parse("-0,5")).contains(-0.5);
         assertThat(shadows.complaint("many"))
                 .isEqualTo("Shadow samples is 'many', but must be a number from 1 to 1024");
     }
 
     @Test
     void placesFollowTheScale() {
-        NumberProperty<Scene> shadows = SceneNumbers.SHADOW_SAMPLES;
+        NumberProperty<Scene> shadows = PropertyNumbers.SHADOW_SAMPLES;
         assertThat(shadows.scale().placeOf(20)).isCloseTo(0.5, within(1e-9));
         assertThat(shadows.scale().numberAt(0.5)).isEqualTo(20);
         assertThat(shadows.scale().placeOf(1000)).isEqualTo(1);
-        assertThat(SceneNumbers.EXPOSURE.scale().placeOf(0)).isEqualTo(0.5);
+        assertThat(PropertyNumbers.EXPOSURE.scale().placeOf(0)).isEqualTo(0.5);
     }
 
     @Test
     void aPlacesSliderIsAboutWhereTheBodyIs() {
-        NumberScale near = LightNumbers.ALL.get(0).scale().around(50);
+        NumberScale near = PropertyNumbers.ofLight(() -> 0).get(0).scale().around(50);
         assertThat(near.placeOf(50)).isEqualTo(0.5);
         assertThat(near.numberAt(1)).isEqualTo(55);
-        assertThat(LightNumbers.ALL.get(0).scale().around(1e6).numberAt(1)).isEqualTo(1e6);
-        assertThat(SceneNumbers.EXPOSURE.scale().around(3)).isEqualTo(SceneNumbers.EXPOSURE.scale());
+        assertThat(PropertyNumbers.ofLight(() -> 0).get(0).scale().around(1e6).numberAt(1))
+                .isEqualTo(1e6);
+        assertThat(PropertyNumbers.EXPOSURE.scale().around(3)).isEqualTo(PropertyNumbers.EXPOSURE.scale());
     }
 
     @Test
     void aSmallSizeIsShownWithItsDigits() {
-        NumberProperty<Scene> radius = LightNumbers.ofScene(LightNumbers.RADIUS);
+        NumberProperty<Scene> radius = light("Light size");
         assertThat(radius.scale().text(0.004)).isEqualTo("0.004");
         assertThat(radius.scale().text(0.0123456)).isEqualTo("0.012");
         assertThat(radius.scale().text(1e-6)).isEqualTo("0.000001");
         assertThat(radius.scale().text(1.234)).isEqualTo("1.23");
-        assertThat(LightNumbers.ALL.get(0).scale().text(1e-9)).isEqualTo("0");
+        assertThat(PropertyNumbers.ofLight(() -> 0).get(0).scale().text(1e-9)).isEqualTo("0");
         assertThat(radius.scale().parse(radius.scale().text(0.004))).contains(0.004);
     }
 
     @Test
     void aDragGoesBeyondTheSliderUpToWhatIsAllowed() {
-        assertThat(SceneNumbers.EXPOSURE.scale().movedBy(6, 0.5)).isEqualTo(12);
-        assertThat(SceneNumbers.SHADOW_SAMPLES.scale().movedBy(400, 1)).isEqualTo(1024);
-        assertThat(SceneNumbers.SHADOW_SAMPLES.scale().movedBy(20, 0.5)).isCloseTo(400, within(1e-6));
-        assertThat(LightNumbers.ofScene(LightNumbers.BRIGHTNESS).scale().movedBy(0, 0.1))
-                .isPositive();
+        assertThat(PropertyNumbers.EXPOSURE.scale().movedBy(6, 0.5)).isEqualTo(12);
+        assertThat(PropertyNumbers.SHADOW_SAMPLES.scale().movedBy(400, 1)).isEqualTo(1024);
+        assertThat(PropertyNumbers.SHADOW_SAMPLES.scale().movedBy(20, 0.5)).isCloseTo(400, within(1e-6));
+        assertThat(light("Light brightness").scale().movedBy(0, 0.1)).isPositive();
     }
 
     @Test
     void aLightThatIsOutCanBeLitAgain() {
-        Scene out = LightNumbers.ofScene(LightNumbers.BRIGHTNESS).write(scene, 0);
-        Scene lit = LightNumbers.ofScene(LightNumbers.BRIGHTNESS).write(out, 3);
-        assertThat(LightNumbers.ofScene(LightNumbers.BRIGHTNESS).read(lit)).isEqualTo(3);
+        Scene out = light("Light brightness").write(scene, 0);
+        Scene lit = light("Light brightness").write(out, 3);
+        assertThat(light("Light brightness").read(lit)).isEqualTo(3);
+    }
+
+    private static NumberProperty<Scene> light(String label) {
+        return PropertyNumbers.ofLight(() -> 0).stream()
+                .filter(number -> number.label().equals(label))
+                .findFirst()
+                .orElseThrow();
     }
 }

@@ -23,7 +23,7 @@ class ShapeNumbersTest {
     }
 
     private static List<NumberProperty<Scene>> sides(Scene scene) {
-        return BodyNumbers.of(scene, BODY).stream()
+        return PropertyNumbers.ofBody(scene, BODY).stream()
                 .filter(number -> number.label().startsWith("Shape"))
                 .toList();
     }

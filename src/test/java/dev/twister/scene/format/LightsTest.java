@@ -56,11 +56,6 @@ class LightsTest {
     }
 
     @Test
-    void refusesNeither() {
-        refuses("\"name\": \"Dark\"", "$.light is missing; a scene has a \"light\" or \"lights\"");
-    }
-
-    @Test
     void refusesTooMany() {
         String lamp = LAMP.formatted("");
         refuses(

@@ -2,6 +2,7 @@ package dev.twister.scene.format;
 
 import dev.twister.scene.Material;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.property.MaterialProperties;
 import dev.twister.scene.property.Range;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -33,6 +34,8 @@ final class RandomValues {
                 switch (type) {
                     case ValueType.Decimal(Range range) -> number(range);
                     case ValueType.WholeNumber(Range range) -> (int) number(range);
+                    case ReflectivityType _ ->
+                        Material.DEFAULT.withReflectivity(number(MaterialProperties.REFLECTIVITY.range()));
                     case ValueType.Flag() -> random.nextBoolean();
                     case ValueType.Text _ -> "";
                     case ValueType.GroupName() -> "group-" + random.nextInt(MOST_ITEMS);
@@ -97,7 +100,7 @@ final class RandomValues {
 
     private <R, T> R withAny(R record, Field<R, T> field) {
         boolean leftOut = switch (field.presence()) {
-            case SPARSE -> random.nextBoolean();
+            case SPARSE, IMPLIED -> random.nextBoolean();
             // Mostly one light, as engines draw several in another way.
             case EITHER -> field.name().equals(LightRules.SEVERAL) && random.nextInt(8) > 0;
             case REQUIRED, WRITTEN -> false;

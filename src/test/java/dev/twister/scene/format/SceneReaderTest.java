@@ -220,7 +220,50 @@ class SceneReaderTest {
 
         assertThatThrownBy(() -> SceneReader.read(file))
                 .isInstanceOf(SceneException.class)
-                .hasMessage(file + ":" + spoilt.message());
+                .message()
+                .satisfies(message -> assertThat(message.lines().findFirst()).contains(file + ":" + spoilt.message()));
+    }
+
+    @Test
+    void saysAllThatIsWrong() {
+        Path file = SampleScene.put(
+                folder,
+                SampleScene.with("\"pitch\": 7", "\"pitch\": 91")
+                        .replace("\"radius\": 1.75", "\"radius\": -1")
+                        .replace("\"friction\"", "\"frction\""));
+
+        assertThatThrownBy(() -> SceneReader.read(file))
+                .isInstanceOf(SceneException.class)
+                .message()
+                .satisfies(message -> assertThat(message.lines())
+                        .hasSize(3)
+                        .allMatch(line -> line.startsWith(file + ":"))
+                        .anyMatch(line -> line.contains("$.camera.pitch is 91"))
+                        .anyMatch(line -> line.contains("$.spheres[0].radius is -1"))
+                        .anyMatch(line -> line.contains("did you mean \"friction\"?")));
+    }
+
+    @Test
+    void saysTheFirstTenFaults() {
+        String spheres = "{\"position\": [0, 0, 0], \"radius\": 0}, ".repeat(20);
+        Path file = SampleScene.put(folder, SampleScene.with("\"spheres\": [", "\"spheres\": [" + spheres));
+
+        assertThatThrownBy(() -> SceneReader.read(file))
+                .message()
+                .satisfies(message -> assertThat(message.lines()).hasSize(10));
+    }
+
+    @Test
+    void aVersionAndABodyAreEnough() {
+        Path file =
+                SampleScene.put(folder, "{\"version\": 4, \"spheres\": [{\"position\": [0, 1, 0], \"radius\": 1}]}");
+
+        Scene scene = SceneReader.read(file);
+
+        assertThat(scene.camera()).isEqualTo(Camera.USUAL);
+        assertThat(scene.sky().file()).isEqualTo(Sky.PLAIN);
+        assertThat(scene.lights().list()).containsExactly(Light.DEFAULT);
+        assertThat(SceneWriter.text(scene)).contains("\"version\": 4").doesNotContain("skybox");
     }
 
     @Test

@@ -3,12 +3,14 @@ package dev.twister.scene.format;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Scene;
+import dev.twister.scene.property.MaterialProperties;
 import dev.twister.scene.property.Range;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -28,13 +30,53 @@ class SchemaTest {
 
     @Test
     @SuppressWarnings("unchecked") // a JSON object
-    void schemaSaysWhatTheReaderTakes() throws Exception {
-        Map<String, Object> schema =
-                JSON.readValue(Files.readString(Path.of("scenes", "scene.schema.json")), Map.class);
-        Map<String, Object> definitions = (Map<String, Object>) schema.remove("$defs");
-        schema.keySet().removeAll(List.of("$schema", "title"));
+    void theShippedSchemaIsMadeFromTheFormat() throws Exception {
+        Path file = Path.of("scenes", "scene.schema.json");
+        Map<String, Object> shipped = JSON.readValue(Files.readString(file), Map.class);
+        Map<String, Object> schema = new LinkedHashMap<>();
+        schema.put("$schema", shipped.get("$schema"));
+        schema.put("title", shipped.get("title"));
+        schema.putAll(schemaOfScenes());
+        describe(schema, shipped, (Map<String, Object>) shipped.get("$defs"));
+        String text = text(SchemaDefinitions.of(schema));
+        if (Boolean.getBoolean("twister.schema.update")) {
+            Files.writeString(file, text);
+        }
 
-        assertThat(resolved(schema, definitions)).isEqualTo(schemaOfScenes());
+        assertThat(Files.readString(file))
+                .as("./mvnw -Dtest=SchemaTest -Dtwister.schema.update=true package writes it anew")
+                .isEqualTo(text);
+    }
+
+    private static String text(Object schema) {
+        return JSON.writerWithDefaultPrettyPrinter().writeValueAsString(schema).replace("\r", "") + "\n";
+    }
+
+    /** What the table of properties does not tell is as the shipped schema says. */
+    @SuppressWarnings("unchecked") // JSON objects
+    private static void describe(Map<String, Object> made, Map<?, ?> shipped, Map<String, Object> definitions) {
+        Map<?, ?> resolved = shipped;
+        while (resolved.get("$ref") instanceof String reference) {
+            Map<Object, Object> together =
+                    new LinkedHashMap<>((Map<?, ?>) definitions.get(reference.substring(DEFINITION.length())));
+            resolved.forEach((key, value) -> {
+                if (!"$ref".equals(key)) {
+                    together.put(key, value);
+                }
+            });
+            resolved = together;
+        }
+        if (resolved.get("description") instanceof String text && !made.containsKey("description")) {
+            made.put("description", text);
+        }
+        Map<?, ?> known = resolved;
+        made.forEach((key, value) -> {
+            if (value instanceof Map<?, ?> child
+                    && known.get(key) instanceof Map<?, ?> old
+                    && !"description".equals(key)) {
+                describe((Map<String, Object>) child, old, definitions);
+            }
+        });
     }
 
     /** Fields of the newest version that older versions lack. */
@@ -44,7 +86,7 @@ class SchemaTest {
         for (int version = 1; version < Scene.VERSION; version++) {
             older.add(schema(Map.of(
                     "if",
-                    Map.of("properties", Map.of("version", Map.of("const", (double) version))),
+                    Map.of("properties", Map.of("version", Map.of("const", version))),
                     "then",
                     refusalOfNewer(format(version).scene()).orElseThrow())));
         }
@@ -100,54 +142,27 @@ class SchemaTest {
         return Optional.of(properties).filter(all -> !all.isEmpty()).map(all -> schema(Map.of("properties", all)));
     }
 
-    /** The schema without descriptions and references, with numbers as doubles. */
-    private static Object resolved(Object node, Map<String, Object> definitions) {
-        return switch (node) {
-            case Map<?, ?> map
-            when map.get("$ref") instanceof String reference ->
-                resolved(definitions.get(reference.substring(DEFINITION.length())), definitions);
-            case Map<?, ?> map -> {
-                Map<String, Object> fields = new TreeMap<>();
-                map.forEach((name, value) -> {
-                    if (!("description".equals(name) && value instanceof String)) {
-                        fields.put((String) name, resolved(value, definitions));
-                    }
-                });
-                yield fields;
-            }
-            case List<?> list ->
-                list.stream().map(item -> resolved(item, definitions)).toList();
-            case Number number -> number.doubleValue();
-            default -> node;
-        };
-    }
-
     private static Map<String, Object> schemaOf(ValueType<?> type) {
         return switch (type) {
             case ValueType.Decimal(Range range) -> numbers("number", range);
             case ValueType.WholeNumber(Range range) -> numbers("integer", range);
+            case ReflectivityType _ -> numbers("number", MaterialProperties.REFLECTIVITY.range());
             case ValueType.Flag() -> schema(Map.of("type", "boolean"));
             case ValueType.Text(int min, int max) ->
                 withLeast(
                         "minLength",
                         min,
-                        schema(Map.of("type", "string", "maxLength", (double) max, "pattern", NO_CONTROL_CHARACTERS)));
+                        schema(Map.of("type", "string", "maxLength", max, "pattern", NO_CONTROL_CHARACTERS)));
             case ValueType.GroupName() -> schema(Map.of("type", "string", "pattern", "^[A-Za-z0-9_-]{0,20}$"));
             case ValueType.FilePath(ValueType.Text text, NamedFiles _) -> schemaOf(text);
             case ValueType.Version(int newest) ->
-                schema(Map.of(
-                        "enum",
-                        IntStream.rangeClosed(1, newest)
-                                .asDoubleStream()
-                                .boxed()
-                                .toList()));
+                schema(Map.of("enum", IntStream.rangeClosed(1, newest).boxed().toList()));
             case ValueType.Choice<?> choice -> schema(Map.of("enum", choice.names()));
             case ValueType.Array<?> array ->
                 withLeast(
                         "minItems",
                         array.minItems(),
-                        schema(Map.of("type", "array", "items", schemaOf(array.item()), "maxItems", (double)
-                                array.maxItems())));
+                        schema(Map.of("type", "array", "items", schemaOf(array.item()), "maxItems", array.maxItems())));
             case ValueType.Lines<?>(ValueType.Array<?> array) -> schemaOf(array);
             case ValueType.Converted<?, ?> converted -> schemaOf(converted.stored());
             case ValueType.Structure<?> structure -> objects(structure);
@@ -156,7 +171,7 @@ class SchemaTest {
                         "type",
                         "object",
                         "maxProperties",
-                        (double) members.limit(),
+                        members.limit(),
                         "propertyNames",
                         schemaOf(members.name()),
                         "additionalProperties",
@@ -177,18 +192,18 @@ class SchemaTest {
     }
 
     private static <R> Map<String, Object> objects(ValueType.Structure<R> structure) {
-        Map<String, Object> properties = new TreeMap<>();
+        Map<String, Object> properties = new LinkedHashMap<>();
         for (Field<R, ?> field : structure.fields()) {
             properties.put(field.name(), property(field, structure.defaults()));
         }
         Map<String, Object> object =
                 schema(Map.of("type", "object", "properties", properties, "additionalProperties", false));
-        List<Map<String, Object>> either = structure.fields().stream()
+        List<String> either = structure.fields().stream()
                 .filter(field -> field.presence() == Field.Presence.EITHER)
-                .map(field -> schema(Map.of("required", List.of(field.name()))))
+                .map(Field::name)
                 .toList();
         if (!either.isEmpty()) {
-            object.put("oneOf", either);
+            object.put("not", schema(Map.of("required", either)));
         }
         if (!structure.names(true).isEmpty()) {
             object.put("required", structure.names(true));
@@ -198,28 +213,45 @@ class SchemaTest {
 
     private static <R, T> Map<String, Object> property(Field<R, T> field, R defaults) {
         Map<String, Object> property = schemaOf(field.type());
+        if (!field.meaning().isEmpty()) {
+            property.put("description", sentence(field));
+        }
         boolean isPlain = !"object".equals(property.get("type")) && !"string".equals(property.get("type"));
         if (isPlain
                 && !field.isRequired()
                 && !Optional.empty().equals(field.get().apply(defaults))) {
             String text = field.type().write(field.get().apply(defaults));
-            property.put("default", resolved(JSON.readValue(text, Object.class), Map.of()));
+            property.put("default", JSON.readValue(text, Object.class));
         }
         return property;
     }
 
+    private static Object number(double number) {
+        if (number == Math.rint(number)) {
+            return (long) number;
+        }
+        return number;
+    }
+
+    private static String sentence(Field<?, ?> field) {
+        String plain = field.meaning().replace("`", "").replaceAll("\\[([^]]*)]\\([^)]*\\)", "$1");
+        return plain.substring(0, 1).toUpperCase(Locale.ROOT) + plain.substring(1) + ".";
+    }
+
     private static Map<String, Object> numbers(String type, Range range) {
-        return schema(Map.of("type", type, "minimum", range.min(), "maximum", range.max()));
+        return schema(Map.of("type", type, "minimum", number(range.min()), "maximum", number(range.max())));
     }
 
     private static Map<String, Object> withLeast(String name, int least, Map<String, Object> schema) {
         if (least > 0) {
-            schema.put(name, (double) least);
+            schema.put(name, least);
         }
         return schema;
     }
 
     private static Map<String, Object> schema(Map<String, Object> fields) {
-        return new TreeMap<>(fields);
+        Map<String, Object> ordered = new LinkedHashMap<>();
+        new TreeMap<>(fields).forEach(ordered::put);
+        return ordered;
     }
 }

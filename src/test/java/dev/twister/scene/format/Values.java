@@ -1,6 +1,9 @@
 package dev.twister.scene.format;
 
+import dev.twister.scene.Material;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.material.Reflectance;
+import dev.twister.scene.property.MaterialProperties;
 import dev.twister.scene.property.Range;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -27,6 +30,14 @@ final class Values {
                     case ValueType.Decimal(Range range) -> numbers(range);
                     case ValueType.WholeNumber(Range range) ->
                         Arbitraries.integers().between((int) range.min(), (int) range.max());
+                    case ReflectivityType(int version) ->
+                        Combinators.combine(numbers(MaterialProperties.REFLECTIVITY.range()), FLAGS)
+                                .as((number, given) -> Material.DEFAULT
+                                        .withReflectivity(number)
+                                        .withReflectance(
+                                                given && version >= ReflectivityType.METALS_SINCE
+                                                        ? Reflectance.CONSTANT
+                                                        : Reflectance.MIXED));
                     case ValueType.Flag() -> FLAGS;
                     case ValueType.Text(int min, int max) -> texts(min, max);
                     case ValueType.GroupName() -> Arbitraries.of("", "lamp", "Key_light-2");
@@ -107,7 +118,7 @@ final class Values {
     // One chain of fields: a choice between records with and without each would double the work with each field.
     private static <R, T> Arbitrary<R> withAny(Arbitrary<R> records, Field<R, T> field) {
         boolean always = switch (field.presence()) {
-            case SPARSE, EITHER -> false;
+            case SPARSE, IMPLIED, EITHER -> false;
             case REQUIRED, WRITTEN -> true;
         };
         return Combinators.combine(records, of(field.type()), always ? Arbitraries.just(true) : FLAGS)

@@ -1,0 +1,99 @@
+package dev.twister.scene.property;
+
+import static dev.twister.scene.property.Property.decimal;
+import static dev.twister.scene.property.Property.vector;
+import static dev.twister.scene.property.Slide.linear;
+import static dev.twister.scene.property.Slide.logarithmic;
+
+import dev.twister.scene.Ground;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.property.PropertyType.Turn;
+import java.util.List;
+
+/** The properties of spheres, meshes and the plane, but for those of their materials. */
+public final class BodyProperties {
+    public static final List<Property<Sphere, ?>> SPHERE = List.of(
+            vector("position", SceneLimits.POSITION, Sphere::position, Sphere::withPosition)
+                    .written()
+                    .animated()
+                    .felt()
+                    .means("the center")
+                    .row("Sphere", "The position of the sphere's center.", "Alt+4 Alt+5 Alt+6")
+                    .slide(Slide.PLACE),
+            decimal("radius", SceneLimits.LENGTH, Sphere::radius, Sphere::withRadius)
+                    .written()
+                    .animated()
+                    .felt()
+                    .means("its radius")
+                    .row("Sphere radius", "The sphere's radius.", "Alt+7")
+                    .slide(logarithmic(0.05, 10, 2, "m")));
+
+    public static final List<Property<Mesh, ?>> MESH = List.of(
+            vector("position", SceneLimits.POSITION, Mesh::position, Mesh::withPosition)
+                    .since(2)
+                    .animated()
+                    .felt()
+                    .means("where the origin of the file or the center of the shape is")
+                    .row("Mesh", "The position of the origin of the mesh's file.", "Alt+4 Alt+5 Alt+6")
+                    .slide(Slide.PLACE),
+            Property.of("rotation", new Turn(SceneLimits.ANGLE), Mesh::rotation, Mesh::withRotation)
+                    .since(2)
+                    .animated()
+                    .felt()
+                    .means("yaw, pitch and roll")
+                    .row(
+                            "Mesh",
+                            "How far the mesh is turned. It is rolled to its left side, then pitched forwards, then"
+                                    + " turned to the right.",
+                            "Alt+Shift+4 Alt+Shift+5 Alt+Shift+6")
+                    .slide(Slide.ANGLE),
+            decimal("scale", SceneLimits.FACTOR, Mesh::scale, Mesh::withScale)
+                    .since(2)
+                    .animated()
+                    .felt()
+                    .means("meters per unit of the file; a factor of a shape's size")
+                    .row(
+                            "Mesh scale",
+                            "Meters per unit of the mesh's file; of a shape, the factor of its size.",
+                            "Alt+7")
+                    .slide(logarithmic(0.001, 1000, 3, "")));
+
+    /** Of the triangles of a file. */
+    public static final Property<Mesh, Double> SMOOTH = decimal(
+                    "smooth", new Range(0, 180, "degrees"), Mesh::smoothDegrees, Mesh::withSmoothDegrees)
+            .since(2)
+            .means("where a file has no normals: triangles that meet at no larger angle are shaded as one smooth"
+                    + " surface; 0 leaves them flat")
+            .row(
+                    "Smooth",
+                    "Where the file has no normals: triangles that meet at no larger angle are shaded as one smooth"
+                            + " surface.",
+                    "")
+            .slide(linear(0, 180, 0, "°"));
+
+    public static final List<Property<Ground, ?>> PLANE = List.of(
+            decimal("size", SceneLimits.LENGTH, Ground::size, Ground::withSize)
+                    .written()
+                    .felt()
+                    .means("the side of the square")
+                    .row("Plane size", "The side of the square. Walls stand on its border.", "Alt+Shift+P")
+                    .slide(logarithmic(1, 1000, 1, "m")),
+            decimal("height", SceneLimits.POSITION, Ground::height, Ground::withHeight)
+                    .written()
+                    .animated()
+                    .felt()
+                    .means("its y")
+                    .row("Plane height", "The plane's y. The camera stays above it.", "Alt+Shift+H")
+                    .slide(Slide.PLACE));
+
+    /** With a material by name; otherwise the second of the plane's colors. */
+    public static final Property<Ground, Rgb> ODD_COLOR = Property.color(
+                    "oddColor", SceneLimits.SHARE, Ground::oddColor, Ground::withOddColor)
+            .since(2)
+            .means("albedo where `floor(x) + floor(z)` is odd; the material's color where it is not given")
+            .row("Second color", "The color of the other squares.", "Alt+Shift+C");
+
+    private BodyProperties() {}
+}

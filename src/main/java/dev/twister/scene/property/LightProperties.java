@@ -1,0 +1,82 @@
+package dev.twister.scene.property;
+
+import static dev.twister.scene.property.Property.color;
+import static dev.twister.scene.property.Property.decimal;
+import static dev.twister.scene.property.Property.vector;
+import static dev.twister.scene.property.Slide.linear;
+import static dev.twister.scene.property.Slide.logarithmic;
+
+import dev.twister.scene.Integrator;
+import dev.twister.scene.Light;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.property.PropertyType.Decimal;
+import dev.twister.scene.property.PropertyType.Given;
+import dev.twister.scene.property.PropertyType.LayerName;
+import java.util.List;
+import java.util.Optional;
+
+/** The properties of a light, in the order in which a scene file has them. */
+public final class LightProperties {
+    public static final Property<Light, Double> RADIUS = decimal(
+                    "radius", SceneLimits.LENGTH, Light::radius, Light::withRadius)
+            .written()
+            .animated()
+            .felt()
+            .means("a larger light makes softer shadows")
+            .row("Light size", "The light's radius. A larger light makes softer shadows.", "Alt+L")
+            .slide(logarithmic(0.05, 10, 2, "m"));
+
+    public static final Property<Light, Rgb> COLOR = color(
+                    "color", SceneLimits.RADIANCE, Light::color, Light::withColor)
+            .written()
+            .animated()
+            .means("linear color of the sphere and of its highlights")
+            .row("Light color", "The light's color. Set brightness with Light brightness.", "Alt+C");
+
+    public static final Property<Light, Optional<Double>> STRENGTH = Property.<Light, Optional<Double>>of(
+                    "strength",
+                    new Given<>(new Decimal(new Range(0, 1e9, "m^2"))),
+                    Light::strength,
+                    Light::withStrength)
+            .since(3)
+            .animated()
+            .means("brightness in [path tracing](#path-tracing); by the plane's distance where it is not given")
+            .row(
+                    "Light strength",
+                    "In path tracing: the irradiance over pi, at 1 m, of a surface that faces the light, is its color "
+                            + "times this. Default: the ground is about as bright as without path tracing.",
+                    "Alt+Shift+Q")
+            .slide(logarithmic(0.1, 1000, 2, "m²"))
+            .only(Integrator.PATH);
+
+    public static final Property<Light, Double> SHARE = decimal(
+                    "share", new Range(0, 1000), Light::share, Light::withShare)
+            .since(3)
+            .animated()
+            .means("factor k of what it adds to the brightness of matte surfaces, without path tracing")
+            .row(
+                    "Light share",
+                    "Without path tracing: factor of what the light adds to the brightness of matte surfaces.",
+                    "Alt+0")
+            .slide(linear(0, 2, 2, ""))
+            .only(Integrator.WHITTED);
+
+    public static final List<Property<Light, ?>> ALL = List.of(
+            vector("position", SceneLimits.POSITION, Light::position, Light::withPosition)
+                    .written()
+                    .animated()
+                    .felt()
+                    .means("the center")
+                    .row("Light", "The light's position.", "Alt+1 Alt+2 Alt+3")
+                    .slide(Slide.PLACE),
+            RADIUS,
+            COLOR,
+            STRENGTH,
+            SHARE,
+            Property.<Light, String>of("lightGroup", new LayerName(), Light::group, Light::withGroup)
+                    .since(3)
+                    .means("name of the [layer](denoising.md#light-by-light) of its light")
+                    .row("Light layer", "Name of the layer of its light, for --light-layers.", ""));
+
+    private LightProperties() {}
+}
