@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.net.UnixDomainSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.SocketChannel;
+import java.util.concurrent.CompletableFuture;
 
 /**
  * The process in which Open Image Denoise runs, because a library that crashes ends the process that loads it. It
@@ -47,12 +48,13 @@ final class OidnServer {
         }
     }
 
-    /** @param arguments the library's file or name, and the path of the socket */
+    /**
+     * Serves until nobody asks any more.
+     *
+     * @param arguments the library's file or name, and the path of the socket
+     */
     public static void main(String[] arguments) throws IOException {
-        ProcessHandle.current()
-                .parent()
-                .ifPresent(parent ->
-                        parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
+        ProcessHandle.current().parent().ifPresent(OidnServer::endWith);
         try (FloatChannel channel = new FloatChannel(SocketChannel.open(UnixDomainSocketAddress.of(arguments[1])))) {
             serve(arguments[0], channel);
         } catch (EOFException _) {
@@ -60,6 +62,11 @@ final class OidnServer {
         }
         // The library's threads may go on.
         Runtime.getRuntime().halt(0);
+    }
+
+    private static void endWith(ProcessHandle parent) {
+        CompletableFuture<Void> _ =
+                parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1));
     }
 
     private static void serve(String place, FloatChannel channel) throws IOException {

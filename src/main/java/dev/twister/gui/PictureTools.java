@@ -103,7 +103,7 @@ record PictureTools(
          *
          * @param whenDone called once, when it goes away
          */
-        public HintLine(PictureView picture, Runnable whenDone) {
+        HintLine(PictureView picture, Runnable whenDone) {
             this.whenDone = whenDone;
             getStyleClass().add("hint-line");
             setId("hint-line");

@@ -165,7 +165,8 @@ public final class MeshStage {
                 Light light = one.light();
                 Light dim = light.withShare(LightProperties.SHARE.range().clamp(dimmed * light.share()));
                 used.add(light.strength()
-                        .map(strength -> dim.withStrength(LightProperties.STRENGTH.range().clamp(dimmed * strength)))
+                        .map(strength -> dim.withStrength(
+                                LightProperties.STRENGTH.range().clamp(dimmed * strength)))
                         .orElse(dim));
             }
             return new Lights(used);

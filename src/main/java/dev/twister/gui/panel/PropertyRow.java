@@ -42,7 +42,7 @@ record PropertyRow(PanelRow row, BiConsumer<Scene, Scene> follow, Optional<Integ
             case Flag() -> Stream.of(flag((Property<Scene, Boolean>) property, studio));
             case Choice<?> choice -> Stream.of(choice((Property<Scene, Enum<?>>) property, choice.values(), studio));
             case LayerName() -> Stream.of(text((Property<Scene, String>) property, studio));
-            case Color(_) -> Stream.of(color((Property<Scene, Rgb>) property, studio));
+            case Color _ -> Stream.of(color((Property<Scene, Rgb>) property, studio));
             default -> PropertyNumbers.of(property).stream().map(number -> of(property, number, studio));
         };
     }
@@ -71,8 +71,8 @@ record PropertyRow(PanelRow row, BiConsumer<Scene, Scene> follow, Optional<Integ
         return of(
                 property,
                 row,
-                (scene, usual) ->
-                        row.show(property.getter().apply(scene), property.getter().apply(usual)));
+                (scene, usual) -> row.show(
+                        property.getter().apply(scene), property.getter().apply(usual)));
     }
 
     private static PropertyRow choice(
@@ -104,8 +104,8 @@ record PropertyRow(PanelRow row, BiConsumer<Scene, Scene> follow, Optional<Integ
         return of(
                 property,
                 row,
-                (scene, usual) ->
-                        row.show(property.getter().apply(scene), property.getter().apply(usual)));
+                (scene, usual) -> row.show(
+                        property.getter().apply(scene), property.getter().apply(usual)));
     }
 
     /** What is brighter than a screen can show keeps its brightness when its color is chosen. */
