@@ -23,7 +23,7 @@ final class PathRehearsal {
     private static final long MOST_CREDIT_NANOS = 1_000_000_000L;
 
     /** The rehearsal gives up after this much of its own time, so that a render loses no more by it. */
-    private static final long MOST_NANOS = 20_000_000_000L;
+    private static final long MOST_NANOS = 6_000_000_000L;
 
     /** A tile's samples that are followed. */
     private static final int MOST_SAMPLES = 4;
@@ -83,15 +83,16 @@ final class PathRehearsal {
             input = Optional.of(drawing.input);
             isRunning = false;
         }
-        // Others may have a part of the code alone, such as the sky.
-        boolean isUsual = nanos * tiles >= kernelNanos;
-        boolean isWhole = tile.left + Tile.SIDE <= drawing.width && tile.top + Tile.SIDE <= drawing.rows;
+        // Tiles of less than usual time may have a part of the code alone, such as the sky.
+        boolean isUsual = tile.left + Tile.SIDE <= drawing.width
+                && tile.top + Tile.SIDE <= drawing.rows
+                && nanos * tiles >= kernelNanos;
         while (!isOver
                 && !drawing.stop.isAsked()
                 && kernelNanos > FIRST_NANOS / threads
                 && creditNanos > 0
                 && allNanos < MOST_NANOS
-                && (isRunning || isWhole && isUsual)) {
+                && (isRunning || isUsual)) {
             if (!isRunning) {
                 int samples = Math.min(MOST_SAMPLES, drawing.pixelSamples);
                 paths.begin(drawing, pixels, samples, false);
