@@ -53,11 +53,11 @@ final class Preview {
      */
     static Preview gathering(FrameInput input, boolean continuous, boolean denoised, long startNanos) {
         int most = continuous ? 1 : MOST_SAMPLES;
-        FrameInput wanted = denoised ? input.withGuides() : input;
+        int layers = denoised ? input.withGuides().layers() : 0;
         return new Preview(
-                wanted,
+                input,
                 Optional.of(new RefinedPicture(input.width(), input.height(), most, denoised)),
-                Frame.ofRadiance(input.width(), input.height(), wanted.layers()),
+                Frame.ofRadiance(input.width(), input.height(), layers),
                 startNanos);
     }
 
@@ -102,7 +102,8 @@ final class Preview {
             return;
         }
         RefinedPicture picture = gathered.get();
-        engine.render(picture.next(input, 1), pass);
+        FrameInput next = picture.next(input, 1);
+        engine.render(pass.layerCount() > 0 ? next.withGuides() : next, pass);
         picture.add(pass, 1);
         if (picture.guidedSamples() > 0) {
             try (GuidedFilter filter = new GuidedFilter()) {

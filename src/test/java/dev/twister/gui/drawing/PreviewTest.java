@@ -2,6 +2,13 @@ package dev.twister.gui.drawing;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.engine.Engine;
+import dev.twister.engine.JvmEngines;
+import dev.twister.image.Frame;
+import dev.twister.oracle.Crowds;
+import dev.twister.scene.Integrator;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 
@@ -14,5 +21,31 @@ class PreviewTest {
         assertThat(Preview.divisor(TimeUnit.MILLISECONDS.toNanos(900), false)).isEqualTo(4);
         assertThat(Preview.divisor(TimeUnit.MINUTES.toNanos(1), false)).isEqualTo(8);
         assertThat(Preview.divisor(TimeUnit.MINUTES.toNanos(1), true)).isEqualTo(16);
+    }
+
+    @Test
+    void withoutItsNoiseItIsNearerToManySamples() {
+        World world = Crowds.world(60, 48, 32);
+        world.setSettings(world.settings().withIntegrator(Integrator.PATH).withSize(48, 32).withSamplesPerPixel(1));
+        FrameInput input = world.snapshot();
+        try (Engine engine = JvmEngines.parallel().opener().get()) {
+            Frame wanted = Frame.ofPixels(48, 32);
+            engine.render(input.withSamples(0, 256), wanted);
+            Frame noisy = Frame.ofPixels(48, 32);
+            Preview.gathering(input, false, false, 0).draw(engine, noisy);
+            Frame clean = Frame.ofPixels(48, 32);
+            Preview.gathering(input, false, true, 0).draw(engine, clean);
+
+            assertThat(error(clean, wanted)).isLessThan(0.75 * error(noisy, wanted));
+        }
+    }
+
+    private static double error(Frame frame, Frame wanted) {
+        double sum = 0;
+        for (int i = 0; i < frame.argb().length; i++) {
+            int difference = (frame.argb()[i] >> 8 & 0xFF) - (wanted.argb()[i] >> 8 & 0xFF);
+            sum += difference * difference;
+        }
+        return sum;
     }
 }
