@@ -21,7 +21,7 @@ class OptionalParametersTest {
     @Test
     void noPublicMethodOfTheDocumentedPackagesTakesAnOptional() throws IOException {
         List<String> excluded = packagesWithoutJavadoc();
-        List<JavaMethod> methods = CompiledClasses.PROGRAM.stream()
+        List<JavaMethod> methods = CompiledClasses.WRITTEN.stream()
                 .filter(OptionalParametersTest::isPublic)
                 .filter(type -> excluded.stream()
                         .noneMatch(name -> type.getPackageName().matches(name)))
