@@ -49,9 +49,11 @@ public final class ShippedScenes {
                 .toList();
     }
 
-    /** Those that the oracle knows: it has neither height maps nor maps on spheres. */
+    /** Those for the oracle: it has neither height maps nor maps on spheres, and the street's lamps take it minutes. */
     static List<String> oracleNames() {
-        return names().stream().filter(name -> !name.equals("maps")).toList();
+        return names().stream()
+                .filter(name -> !List.of("maps", "street").contains(name))
+                .toList();
     }
 
     /** The shipped scene in a picture of 320 x 180; of few samples if paths are traced. */
