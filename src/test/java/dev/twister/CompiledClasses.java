@@ -16,8 +16,8 @@ public final class CompiledClasses {
             WITH_TESTS.that(describe("are of the program", (JavaClass type) -> isOfTheProgram(type)));
 
     /** Without the copying of records, which RecordBuilder writes. */
-    static final JavaClasses WRITTEN = PROGRAM.that(describe(
-            "are written by hand", (JavaClass type) -> !type.getName().matches(".*Copy(\\$.*)?")));
+    static final JavaClasses WRITTEN = PROGRAM.that(
+            describe("are written by hand", (JavaClass type) -> !type.getName().matches(".*Copy(\\$.*)?")));
 
     private CompiledClasses() {}
 

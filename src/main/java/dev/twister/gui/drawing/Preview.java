@@ -23,6 +23,7 @@ final class Preview {
     private static final int MOST_DIVISOR = 8;
     private static final int MOST_DIVISOR_TRACED = 16;
     private static final int MOST_SAMPLES = 8;
+    private static final int CLEAN_PIXELS = 60_000;
 
     /** From the first sample on. */
     private static final long MOST_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
@@ -70,6 +71,15 @@ final class Preview {
         int most = traced ? MOST_DIVISOR_TRACED : MOST_DIVISOR;
         int divisor = 1;
         while (nanos > LONG_NANOS && divisor < most && nanos / divisor / divisor > QUICK_NANOS) {
+            divisor *= 2;
+        }
+        return divisor;
+    }
+
+    /** Divisor of the sides of a picture of so many pixels, so that it is filtered quickly. */
+    static int cleanDivisor(int pixels) {
+        int divisor = 1;
+        while (pixels / divisor / divisor > CLEAN_PIXELS) {
             divisor *= 2;
         }
         return divisor;

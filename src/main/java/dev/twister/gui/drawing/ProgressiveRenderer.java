@@ -216,7 +216,12 @@ final class ProgressiveRenderer implements AutoCloseable {
             return true;
         }
         if (coarseness > 1 && engines.isSubstituted()) {
-            drawPlain(wanted, engine, coarse(coarseness), false);
+            FrameInput small = coarse(coarseness);
+            if (cleans(wanted)) {
+                drawPreview(wanted, engine, Preview.gathering(small, true, true, 0));
+            } else {
+                drawPlain(wanted, engine, small, false);
+            }
             coarseness /= 2;
             return true;
         }
@@ -227,10 +232,7 @@ final class ProgressiveRenderer implements AutoCloseable {
             drawPreview(wanted, engine, preview.orElseThrow());
             return true;
         }
-        if (!drawn
-                && preview.isPresent()
-                && !wanted.isContinuous()
-                && denoiser(wanted).isPresent()) {
+        if (!drawn && !wanted.isContinuous() && cleans(wanted)) {
             // The small picture stays until the full one has no noise either.
             drawn = true;
             coarseness = 1;
@@ -258,19 +260,18 @@ final class ProgressiveRenderer implements AutoCloseable {
     /** Draws a smaller picture first if the full one is known to take long; returns whether it was drawn. */
     private boolean drawQuickly(DrawingRequest wanted, Engine engine) {
         boolean unknown = bands.mayTakeLong(engine, input);
-        int divisor = unknown
+        int fast = unknown
                 ? Preview.usualDivisor()
                 : Preview.divisor(bands.knownNanos(engine, input), input.tracesPaths());
+        int divisor = Math.max(fast, cleans(wanted) ? Preview.cleanDivisor(input.width() * input.height()) : 1);
         if (divisor == 1) {
             return false;
         }
         FrameInput small = coarse(divisor);
         long start = clock.getAsLong();
         boolean gathers = input.tracesPaths() && wanted.shown() == StageOrView.BEAUTY && watcher.isEmpty();
-        Preview drawing = gathers
-                ? Preview.gathering(
-                        small, wanted.isContinuous(), denoiser(wanted).isPresent(), start)
-                : Preview.once(small);
+        Preview drawing =
+                gathers ? Preview.gathering(small, wanted.isContinuous(), cleans(wanted), start) : Preview.once(small);
         preview = Optional.of(drawing);
         drawPreview(wanted, engine, drawing);
         if (unknown || isPreview(wanted)) {
@@ -382,8 +383,7 @@ final class ProgressiveRenderer implements AutoCloseable {
         picture.add(linear, samples);
         boolean last = isDone(picture, wanted);
         // Its noise would be seen for a moment.
-        boolean cleans = denoiser.isPresent() && denoising.failure().isEmpty();
-        if (last || (!cleans && picture.samples() >= fewestRefined() && isToBeSeen())) {
+        if (last || (!cleans(wanted) && picture.samples() >= fewestRefined() && isToBeSeen())) {
             showRefined(wanted, engine);
         } else {
             pictures++;
@@ -407,6 +407,13 @@ final class ProgressiveRenderer implements AutoCloseable {
 
     private Optional<DenoiserOffer> denoiser(DrawingRequest wanted) {
         return wanted.refinement().denoiser().filter(_ -> input.tracesPaths() && wanted.shown() == StageOrView.BEAUTY);
+    }
+
+    /** Whether no picture with noise is shown. */
+    private boolean cleans(DrawingRequest wanted) {
+        return denoiser(wanted).isPresent()
+                && watcher.isEmpty()
+                && denoising.failure().isEmpty();
     }
 
     /** The picture without its noise, if that is wanted. */

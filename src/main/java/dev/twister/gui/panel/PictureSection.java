@@ -79,7 +79,7 @@ final class PictureSection {
                     this::setDenoising);
             studio.noiseGoalProperty()
                     .subscribe(goal -> noise.show(RefinementGoal.NOISES, goal, RefinementGoal.NO_NOISE));
-            studio.denoiserProperty().subscribe(denoiser -> denoise.show(denoiser.isPresent(), false));
+            studio.denoiserProperty().subscribe(denoiser -> denoise.show(denoiser.isPresent(), true));
         }
 
         List<PanelRow> rows() {

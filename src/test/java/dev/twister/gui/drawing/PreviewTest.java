@@ -26,7 +26,10 @@ class PreviewTest {
     @Test
     void withoutItsNoiseItIsNearerToManySamples() {
         World world = Crowds.world(60, 48, 32);
-        world.setSettings(world.settings().withIntegrator(Integrator.PATH).withSize(48, 32).withSamplesPerPixel(1));
+        world.setSettings(world.settings()
+                .withIntegrator(Integrator.PATH)
+                .withSize(48, 32)
+                .withSamplesPerPixel(1));
         FrameInput input = world.snapshot();
         try (Engine engine = JvmEngines.parallel().opener().get()) {
             Frame wanted = Frame.ofPixels(48, 32);
