@@ -38,9 +38,10 @@ final class AllocationTest {
     private static final long BYTES_A_FRAME = 16_384;
 
     /** CPU time of all threads together, after which warm-up has failed, however busy the machine is. */
-    private static final long MOST_NANOS = 120_000_000_000L;
+    private static final long MOST_NANOS = 240_000_000_000L;
 
     private static final int FRAMES = 20;
+    private static final int TRIES = 3;
 
     @ParameterizedTest
     @CsvSource({"128, benchmark", "256, benchmark", "512, benchmark", "256, crowd of 1000", "512, crowd of 1000"})
@@ -93,10 +94,12 @@ final class AllocationTest {
     }
 
     private static void requireWarm(int bits, boolean fused, String scene) throws IOException, InterruptedException {
-        String first = warmUp(bits, fused, scene);
         // The order in which stages are compiled varies: in a few JVMs of many, one stage stays boxed.
-        String last = first.contains(WarmFrames.WARM) ? first : warmUp(bits, fused, scene);
-        assertThat(last).contains(WarmFrames.WARM);
+        StringBuilder outputs = new StringBuilder();
+        for (int time = 0; time < TRIES && outputs.indexOf(WarmFrames.WARM) < 0; time++) {
+            outputs.append(warmUp(bits, fused, scene));
+        }
+        assertThat(outputs).as(scene).contains(WarmFrames.WARM);
     }
 
     /** Returns the output of a JVM with this vector width. */
