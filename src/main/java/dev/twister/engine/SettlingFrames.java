@@ -32,7 +32,9 @@ public final class SettlingFrames {
         this.engine = engine;
         this.input = input;
         this.best = best;
-        frame = Frame.ofPixels(input.width(), input.rows());
+        frame = input.layers() > 0
+                ? Frame.ofRadiance(input.width(), input.rows(), input.layers())
+                : Frame.ofPixels(input.width(), input.rows());
     }
 
     /**

@@ -16,7 +16,7 @@ public enum MaterialPreset {
     GOLD("Gold", old -> metal(old, new Rgb(1, 0.71, 0.29), 0.12)),
     COPPER("Copper", old -> metal(old, new Rgb(0.96, 0.64, 0.54), 0.15)),
     STEEL("Steel", old -> metal(old, new Rgb(0.56, 0.57, 0.58), 0.22)),
-    ALUMINIUM("Aluminium", old -> metal(old, new Rgb(0.91, 0.92, 0.92), 0.2)),
+    ALUMINUM("Aluminum", old -> metal(old, new Rgb(0.91, 0.92, 0.92), 0.2)),
     GLASS("Glass", old -> clear(old, 0, 1.5)),
     FROSTED_GLASS("Frosted glass", old -> clear(old, 0.35, 1.5)),
     WATER("Water", old -> clear(old, 0, 1.33)),

@@ -11,7 +11,7 @@ public final class Denoising {
     private Denoising() {}
 
     /**
-     * Denoises from now on: by Twister's own filter until a better denoiser is found, or for good if there is none.
+     * Denoises from now on: by Twister's own filter until a better denoiser is found.
      *
      * @param complain takes why there is none
      */

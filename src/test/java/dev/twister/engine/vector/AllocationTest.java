@@ -116,6 +116,7 @@ final class AllocationTest {
     /** Renders until frames hardly allocate; fails if that never happens. */
     static final class WarmFrames {
         static final String WARM = "warm: ";
+        private static final int SAMPLES = 4;
         private static final String CROWD = "crowd of ";
         private static final String METAL = " of metal";
         private static final String PATHS = " of paths";
@@ -155,7 +156,8 @@ final class AllocationTest {
             Scene scene = name.endsWith(METAL) ? ofMetal(plain) : plain;
             SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
             World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
-            world.setSettings(world.settings().withSize(640, 360));
+            // Frames of many samples would take most of the time allowed.
+            world.setSettings(world.settings().withSize(640, 360).withSamplesPerPixel(SAMPLES));
             return world;
         }
 
