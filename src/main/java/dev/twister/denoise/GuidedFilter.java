@@ -1,6 +1,7 @@
 package dev.twister.denoise;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -42,6 +43,12 @@ public final class GuidedFilter implements Denoiser {
     /** How fast that grows: what is left of the variance is the number of samples to this power. */
     private static final double CANCELING = -0.75;
 
+    /** Of the nine pixels around a place, at most so many are a stray and its like. */
+    private static final int MOST_STRAYS = 3;
+
+    /** Of the same pixels, at least so many are alike beside a stray. */
+    private static final int MAJORITY = 5;
+
     /** Samples from which the filtered picture fades out. */
     private static final float FADING_SAMPLES = 32;
 
@@ -70,14 +77,18 @@ public final class GuidedFilter implements Denoiser {
         Filtering(NoisyPicture picture) {
             width = picture.width();
             height = picture.height();
+            noise = picture.noise();
             albedo = picture.guides().map(guides -> finite(guides.albedo())).orElseGet(() -> ones());
             normal = picture.guides().map(guides -> finite(guides.normal())).orElseGet(() -> ones());
+            float[] radiance = finite(picture.radiance());
+            if (noise.map(NoisyPicture.Noise::samples).orElse(1) < FEW_SAMPLES) {
+                replaceStrays(List.of(albedo, normal, radiance));
+            }
             tint = new float[albedo.length];
             for (int i = 0; i < tint.length; i++) {
                 tint[i] = albedo[i] < LEAST_ALBEDO ? 1 : albedo[i];
             }
-            noise = picture.noise();
-            noisy = untinted(finite(picture.radiance()));
+            noisy = untinted(radiance);
             light = withoutSpeckles(noisy);
             variance = noise.map(this::varianceOf).orElseGet(this::varianceOfNeighbors);
         }
@@ -95,6 +106,48 @@ public final class GuidedFilter implements Denoiser {
             float[] ones = new float[CHANNELS * width * height];
             Arrays.fill(ones, 1);
             return ones;
+        }
+
+        /**
+         * With few samples, glass shows what it mirrors in some pixels and what is behind it in the others. A pixel
+         * whose surface is almost alone, where most of those around it are alike, takes the values of one of these.
+         */
+        private void replaceStrays(List<float[]> planes) {
+            int[] usual = new int[width * height];
+            rows().forEach(y -> {
+                for (int x = 0; x < width; x++) {
+                    usual[y * width + x] = usual(x, y);
+                }
+            });
+            for (float[] plane : planes) {
+                float[] before = plane.clone();
+                for (int pixel = 0; pixel < usual.length; pixel++) {
+                    System.arraycopy(before, CHANNELS * usual[pixel], plane, CHANNELS * pixel, CHANNELS);
+                }
+            }
+        }
+
+        /** The pixel, or one of the majority around it. */
+        private int usual(int x, int y) {
+            int own = y * width + x;
+            int usual = own;
+            for (int v = Math.max(0, y - 1); v <= Math.min(height - 1, y + 1) && alike(own, x, y) <= MOST_STRAYS; v++) {
+                for (int u = Math.max(0, x - 1); u <= Math.min(width - 1, x + 1); u++) {
+                    usual = alike(v * width + u, x, y) >= MAJORITY ? v * width + u : usual;
+                }
+            }
+            return usual;
+        }
+
+        /** How many pixels around a place have a surface like that of a pixel. */
+        private int alike(int pixel, int x, int y) {
+            int count = 0;
+            for (int v = Math.max(0, y - 1); v <= Math.min(height - 1, y + 1); v++) {
+                for (int u = Math.max(0, x - 1); u <= Math.min(width - 1, x + 1); u++) {
+                    count += unlike(pixel, v * width + u) < 1 ? 1 : 0;
+                }
+            }
+            return count;
         }
 
         private float[] untinted(float[] radiance) {

@@ -1,6 +1,7 @@
 package dev.twister.denoise;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.denoise.NoisyPicture.Guides;
 import dev.twister.denoise.NoisyPicture.Noise;
@@ -23,6 +24,21 @@ class GuidedFilterTest {
             assertThat(clean[3 * (y * SIDE + SIDE / 2 - 1)]).isBetween(0.1f, 0.3f);
             assertThat(clean[3 * (y * SIDE + SIDE / 2)]).isBetween(0.6f, 1f);
         }
+    }
+
+    @Test
+    void pixelsOfGlassThatMirrorAreFilledWhileSamplesAreFew() {
+        float[] albedo = halves(0.5f, 0.8f);
+        int stray = 3 * (10 * SIDE + 10);
+        for (int i = stray; i < stray + 6; i++) {
+            albedo[i] = 0;
+        }
+        float[] one = new GuidedFilter().denoise(picture(albedo, albedo, Optional.empty()));
+        Noise none = new Noise(new Plane(new float[VALUES], 0), 64);
+        float[] many = new GuidedFilter().denoise(picture(albedo, albedo, Optional.of(none)));
+
+        assertThat(one[stray]).isCloseTo(0.5f, within(1e-3f));
+        assertThat(many[stray]).isZero();
     }
 
     /** A shadow is in no guide. */
