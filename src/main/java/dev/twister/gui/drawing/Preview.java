@@ -8,6 +8,7 @@ import dev.twister.world.TonedPixels;
 import java.nio.IntBuffer;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
 
 /**
  * The small picture that comes before a slow one. If it gathers samples, it is shown with more and more of them until
@@ -31,18 +32,21 @@ final class Preview {
     private final FrameInput input;
     private final Optional<RefinedPicture> gathered;
     private final Frame pass;
+    private final LongSupplier clock;
     private final long startNanos;
+    private long renderNanos;
 
-    private Preview(FrameInput input, Optional<RefinedPicture> gathered, Frame pass, long startNanos) {
+    private Preview(FrameInput input, Optional<RefinedPicture> gathered, Frame pass, LongSupplier clock) {
         this.input = input;
         this.gathered = gathered;
         this.pass = pass;
-        this.startNanos = startNanos;
+        this.clock = clock;
+        startNanos = clock.getAsLong();
     }
 
     /** A preview that is drawn once. */
-    static Preview once(FrameInput input) {
-        return new Preview(input, Optional.empty(), Frame.ofPixels(1, 1), 0);
+    static Preview once(FrameInput input, LongSupplier clock) {
+        return new Preview(input, Optional.empty(), Frame.ofPixels(1, 1), clock);
     }
 
     /**
@@ -52,14 +56,14 @@ final class Preview {
      * @param continuous whether one sample is enough, because the next picture shows another moment
      * @param denoised whether it is shown without its noise
      */
-    static Preview gathering(FrameInput input, boolean continuous, boolean denoised, long startNanos) {
+    static Preview gathering(FrameInput input, boolean continuous, boolean denoised, LongSupplier clock) {
         int most = continuous ? 1 : MOST_SAMPLES;
         int layers = denoised ? input.withGuides().layers() : 0;
         return new Preview(
                 input,
                 Optional.of(new RefinedPicture(input.width(), input.height(), most, denoised)),
                 Frame.ofRadiance(input.width(), input.height(), layers),
-                startNanos);
+                clock);
     }
 
     /**
@@ -76,7 +80,11 @@ final class Preview {
         return divisor;
     }
 
-    /** Divisor of the sides of a picture of so many pixels, so that it is filtered quickly. */
+    /**
+     * Divisor of the sides of a picture, so that it is filtered quickly.
+     *
+     * @param pixels of the picture
+     */
     static int cleanDivisor(int pixels) {
         int divisor = 1;
         while (pixels / divisor / divisor > CLEAN_PIXELS) {
@@ -100,22 +108,34 @@ final class Preview {
     }
 
     /** Whether it is not worth another sample. */
-    boolean isDone(long nanos) {
-        return gathered.filter(picture -> !picture.isDone() && nanos - startNanos <= MOST_NANOS)
+    boolean isDone() {
+        return gathered.filter(picture -> !picture.isDone() && clock.getAsLong() - startNanos <= MOST_NANOS)
                 .isEmpty();
     }
 
-    /** Draws it, or adds one sample per pixel and shows all of them. */
+    /** The engine's time for the last picture or sample, without what a filter takes. */
+    long renderNanos() {
+        return renderNanos;
+    }
+
+    /**
+     * Draws it, or adds one sample per pixel and shows all of them. If it is denoised, it adds as many as there are.
+     */
     void draw(Engine engine, Frame shown) {
         if (gathered.isEmpty()) {
-            engine.render(input, shown);
+            render(engine, input, shown);
             return;
         }
         RefinedPicture picture = gathered.get();
-        FrameInput next = picture.next(input, 1);
-        engine.render(pass.layerCount() > 0 ? next.withGuides() : next, pass);
-        picture.add(pass, 1);
-        if (picture.guidedSamples() > 0) {
+        boolean denoised = pass.layerCount() > 0;
+        // The filter may take longer than a sample.
+        int goal = denoised ? 2 * picture.samples() : 0;
+        do {
+            FrameInput next = picture.next(input, 1);
+            render(engine, denoised ? next.withGuides() : next, pass);
+            picture.add(pass, 1);
+        } while (picture.samples() < goal && !isDone());
+        if (denoised) {
             try (GuidedFilter filter = new GuidedFilter()) {
                 TonedPixels.write(filter.denoise(picture.noisy()), input, shown.argb());
             }
@@ -123,5 +143,11 @@ final class Preview {
             picture.show(input, IntBuffer.wrap(shown.argb()));
         }
         shown.setTimes(pass.times());
+    }
+
+    private void render(Engine engine, FrameInput drawn, Frame into) {
+        long begin = clock.getAsLong();
+        engine.render(drawn, into);
+        renderNanos = clock.getAsLong() - begin;
     }
 }

@@ -218,7 +218,7 @@ final class ProgressiveRenderer implements AutoCloseable {
         if (coarseness > 1 && engines.isSubstituted()) {
             FrameInput small = coarse(coarseness);
             if (cleans(wanted)) {
-                drawPreview(wanted, engine, Preview.gathering(small, true, true, 0));
+                drawPreview(wanted, engine, Preview.gathering(small, true, true, clock));
             } else {
                 drawPlain(wanted, engine, small, false);
             }
@@ -228,7 +228,7 @@ final class ProgressiveRenderer implements AutoCloseable {
         if (!drawn && preview.isEmpty() && drawQuickly(wanted, engine)) {
             return true;
         }
-        if (!drawn && preview.filter(small -> !small.isDone(clock.getAsLong())).isPresent()) {
+        if (!drawn && preview.filter(small -> !small.isDone()).isPresent()) {
             drawPreview(wanted, engine, preview.orElseThrow());
             return true;
         }
@@ -268,14 +268,14 @@ final class ProgressiveRenderer implements AutoCloseable {
             return false;
         }
         FrameInput small = coarse(divisor);
-        long start = clock.getAsLong();
         boolean gathers = input.tracesPaths() && wanted.shown() == StageOrView.BEAUTY && watcher.isEmpty();
-        Preview drawing =
-                gathers ? Preview.gathering(small, wanted.isContinuous(), cleans(wanted), start) : Preview.once(small);
+        Preview drawing = gathers
+                ? Preview.gathering(small, wanted.isContinuous(), cleans(wanted), clock)
+                : Preview.once(small, clock);
         preview = Optional.of(drawing);
         drawPreview(wanted, engine, drawing);
         if (unknown || isPreview(wanted)) {
-            bands.guess(engine, input, (clock.getAsLong() - start) * divisor * divisor);
+            bands.guess(engine, input, drawing.renderNanos() * divisor * divisor);
         }
         return true;
     }

@@ -35,11 +35,16 @@ class PreviewTest {
             Frame wanted = Frame.ofPixels(48, 32);
             engine.render(input.withSamples(0, 256), wanted);
             Frame noisy = Frame.ofPixels(48, 32);
-            Preview.gathering(input, false, false, 0).draw(engine, noisy);
+            Preview.gathering(input, false, false, () -> 0).draw(engine, noisy);
             Frame clean = Frame.ofPixels(48, 32);
-            Preview.gathering(input, false, true, 0).draw(engine, clean);
+            Preview preview = Preview.gathering(input, false, true, () -> 0);
+            preview.draw(engine, clean);
 
             assertThat(error(clean, wanted)).isLessThan(0.75 * error(noisy, wanted));
+            preview.draw(engine, clean);
+            preview.draw(engine, clean);
+            assertThat(preview.samples()).isEqualTo(4);
+            assertThat(error(clean, wanted)).isLessThan(0.5 * error(noisy, wanted));
         }
     }
 
