@@ -2,6 +2,7 @@ package dev.twister.gui.edit;
 
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
+import dev.twister.scene.material.Reflectance;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -53,7 +54,11 @@ public enum MaterialPreset {
     }
 
     private static Material dielectric(Material old, double roughness) {
-        return old.withReflectivity(0).withMetallic(0).withTransmission(0).withRoughness(roughness);
+        return old.withReflectivity(0)
+                .withReflectance(Reflectance.MIXED)
+                .withMetallic(0)
+                .withTransmission(0)
+                .withRoughness(roughness);
     }
 
     private static Material metal(Material old, Rgb color, double roughness) {

@@ -12,6 +12,7 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.material.ImageMap;
 import dev.twister.scene.material.Maps;
+import dev.twister.scene.material.Reflectance;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -91,6 +92,13 @@ class BodyMaterialsTest {
 
         assertThat(MaterialPreset.of(applied)).contains(preset);
         assertThat(applied.texture()).isEqualTo(painted.texture());
+    }
+
+    @Test
+    void aPresetMirrorsByFresnelsEquationsAlsoWhereNothingWasMirrored() {
+        Material dull = Material.DEFAULT.withReflectance(Reflectance.CONSTANT);
+
+        assertThat(MaterialPreset.PLASTIC.appliedTo(dull).reflectance()).isEqualTo(Reflectance.MIXED);
     }
 
     @ParameterizedTest
