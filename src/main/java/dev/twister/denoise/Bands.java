@@ -15,7 +15,11 @@ record Bands(int width, int height, int rows) {
     /** Limit of the pixels of a band with its overlap, so that its memory is bounded. */
     static final long MOST_PIXELS = 1 << 24;
 
-    /** The bands of a picture with at most about so many pixels each. */
+    /**
+     * The bands of a picture.
+     *
+     * @param mostPixels limit of the pixels of a band with its overlap, unless the picture is too wide for it
+     */
     static Bands of(int width, int height, long mostPixels) {
         long whole = Math.max(1, mostPixels / width);
         return new Bands(width, height, (int) (whole >= height ? height : Math.max(OVERLAP, whole - 2 * OVERLAP)));

@@ -51,10 +51,16 @@ final class OidnProcess implements AutoCloseable {
         try {
             folder = Files.createTempDirectory("twister-denoiser-");
             server = ServerSocketChannel.open(StandardProtocolFamily.UNIX);
+        } catch (IOException problem) {
+            throw notStarted(problem);
+        }
+        try {
             server.bind(UnixDomainSocketAddress.of(socket()));
             process = start(place);
         } catch (IOException problem) {
-            throw new DenoiseException("was not tried, because no process could be started: " + problem, problem);
+            closeChannels();
+            deleteFolder();
+            throw notStarted(problem);
         }
         CompletableFuture<Void> _ = process.onExit().thenRun(this::closeChannels);
         version = asked(mostSeconds, () -> {
@@ -63,6 +69,10 @@ final class OidnProcess implements AutoCloseable {
             requireSuccess(connected);
             return connected.readText();
         });
+    }
+
+    private static DenoiseException notStarted(IOException problem) {
+        return new DenoiseException("was not tried, because no process could be started: " + problem, problem);
     }
 
     /** Version and device, for display. */
@@ -190,6 +200,10 @@ final class OidnProcess implements AutoCloseable {
         Stream.of(process.descendants(), Stream.of(process.toHandle()), started.stream(), copies)
                 .flatMap(handles -> handles)
                 .forEach(ProcessHandle::destroyForcibly);
+        deleteFolder();
+    }
+
+    private void deleteFolder() {
         try {
             Files.deleteIfExists(socket());
             Files.deleteIfExists(folder);

@@ -133,8 +133,8 @@ public final class LightTree {
         float cosine = (float) Math.sqrt(1f - sine * sine);
         int inside = radius * radius < squared ? 0 : 1;
         float lit = (normalX * toX + normalY * toY + normalZ * toZ) * inverse;
-        int faces = (normalX == 0f ? 1 : 0) & (normalY == 0f ? 1 : 0) & (normalZ == 0f ? 1 : 0);
-        float received = (inside | faces) != 0 ? 1f : nearer(lit, cosine, sine);
+        int anySide = (normalX == 0f ? 1 : 0) & (normalY == 0f ? 1 : 0) & (normalZ == 0f ? 1 : 0);
+        float received = (inside | anySide) != 0 ? 1f : nearer(lit, cosine, sine);
         float along = -(looks[node + Layout.LIGHTS_AXIS] * toX
                         + looks[node + Layout.LIGHTS_AXIS + 1] * toY
                         + looks[node + Layout.LIGHTS_AXIS + 2] * toZ)

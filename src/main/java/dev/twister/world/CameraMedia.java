@@ -13,7 +13,7 @@ final class CameraMedia {
      * takes any light.
      *
      * @param frame with the camera's position
-     * @param present number of present bodies : the first light, the plane and the spheres
+     * @param present number of present bodies: the first light, the plane and the spheres
      */
     static void write(float[] frame, Bodies bodies, int present) {
         int inner = Layout.NOTHING;

@@ -17,6 +17,7 @@ import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.property.DaylightFile;
 import dev.twister.gui.property.DerivedNumbers;
 import dev.twister.gui.property.NumberProperty;
+import dev.twister.gui.property.PanelNumbers;
 import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.kernel.Layout;
@@ -88,10 +89,10 @@ class PanelTest {
                 PropertyNumbers.of(Property.within(SceneProperties.RENDERING, Scene::rendering, Scene::withRendering))
                         .stream(),
                 PropertyNumbers.ofCamera().stream().skip(5),
-                PropertyNumbers.ofLight(() -> 0).stream().limit(7),
+                PanelNumbers.ofLight(0).stream().limit(7),
                 PropertyNumbers.of(Property.within(SceneProperties.SKY, Scene::sky, Scene::withSky)).stream(),
                 PropertyNumbers.ofBody(scene(), SPHERE).stream(),
-                PropertyNumbers.ofMaterial().stream()
+                PanelNumbers.ofMaterial().stream()
                         .filter(number -> !number.label().startsWith("Opacity"))
                         .map(PanelTest::ofSphere));
     }

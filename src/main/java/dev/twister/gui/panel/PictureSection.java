@@ -74,7 +74,8 @@ final class PictureSection {
                     studio::notice);
             denoise = new SwitchRow(
                     "Denoise",
-                    "With path tracing: remove the noise, by Open Image Denoise where it is installed, else by a filter.",
+                    "With path tracing: remove the noise, by Open Image Denoise where it is installed, else by a"
+                            + " filter.",
                     "",
                     this::setDenoising);
             studio.noiseGoalProperty()

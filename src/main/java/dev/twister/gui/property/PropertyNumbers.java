@@ -3,15 +3,12 @@ package dev.twister.gui.property;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
-import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
-import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.property.BodyProperties;
 import dev.twister.scene.property.CameraProperties;
 import dev.twister.scene.property.LightProperties;
-import dev.twister.scene.property.MaterialProperties;
 import dev.twister.scene.property.Property;
 import dev.twister.scene.property.PropertyType;
 import dev.twister.scene.property.Row;
@@ -25,8 +22,9 @@ import java.util.stream.Stream;
 
 /** The numbers that the panel shows of the table of properties: one row each, three of a vector. */
 public final class PropertyNumbers {
-    public static final NumberProperty<Scene> SHADOW_SAMPLES = ofRendering(SceneProperties.SHADOW_SAMPLES);
-    public static final NumberProperty<Scene> EXPOSURE = ofRendering(SceneProperties.EXPOSURE);
+    public static final NumberProperty<Scene> EXPOSURE = of(SceneProperties.EXPOSURE.within(
+                    Scene::rendering, Scene::withRendering))
+            .getFirst();
     public static final NumberProperty<Camera> FOCUS_DISTANCE =
             of(CameraProperties.FOCUS_DISTANCE).getFirst();
 
@@ -79,10 +77,6 @@ public final class PropertyNumbers {
         return property.count() == 1 ? "" : (property.type() instanceof PropertyType.Turn ? ANGLES : AXES).get(index);
     }
 
-    private static NumberProperty<Scene> ofRendering(Property<Rendering, ?> property) {
-        return of(property.within(Scene::rendering, Scene::withRendering)).getFirst();
-    }
-
     /** The numbers of the camera, in the order of the rows: the focal length follows the field of view. */
     public static List<NumberProperty<Scene>> ofCamera() {
         return CameraProperties.ALL.stream()
@@ -96,16 +90,10 @@ public final class PropertyNumbers {
     }
 
     /**
-     * The numbers of a light, in the order of the rows.
+     * The numbers of a property of a light.
      *
      * @param index place of the shown light in the scene's list
      */
-    public static List<NumberProperty<Scene>> ofLight(IntSupplier index) {
-        return LightProperties.ALL.stream()
-                .flatMap(property -> ofLight(property, index))
-                .toList();
-    }
-
     public static Stream<NumberProperty<Scene>> ofLight(Property<Light, ?> property, IntSupplier index) {
         if (property.equals(LightProperties.STRENGTH)) {
             return Stream.of(DerivedNumbers.strength(index));
@@ -116,17 +104,6 @@ public final class PropertyNumbers {
                 .map(number -> number.in(
                         scene -> DerivedNumbers.light(scene, index),
                         (scene, edit) -> DerivedNumbers.edited(scene, index, edit)));
-    }
-
-    /** The numbers of a material, in the order of the rows. */
-    public static List<NumberProperty<Material>> ofMaterial() {
-        return MaterialProperties.ALL.stream()
-                .flatMap(property -> ofMaterial(property).stream())
-                .toList();
-    }
-
-    public static List<NumberProperty<Material>> ofMaterial(Property<Material, ?> property) {
-        return property.equals(MaterialProperties.REFLECTIVITY) ? List.of(DerivedNumbers.REFLECTIVITY) : of(property);
     }
 
     /** The numbers of a body but for its material's; none unless it is a sphere or a mesh. */

@@ -347,8 +347,8 @@ final class SceneFormat {
                                 ? material.withReflectance(Reflectance.TINTED)
                                 : material)
                 .impliedBefore(ReflectivityType.METALS_SINCE)
-                .meaning(
-                        "whether `metallic` only tints what `reflectivity` mirrors, as in files of version 3 and older");
+                .meaning("whether `metallic` only tints what `reflectivity` mirrors, as in files of version 3 and"
+                        + " older");
         Stream<Field<Material, ?>> fields = Field.of(MaterialProperties.ALL, files).stream()
                 .map(field -> switch (field.name()) {
                     case "reflectivity" -> ReflectivityType.field(version);

@@ -18,14 +18,12 @@ public final class BodyProperties {
             vector("position", SceneLimits.POSITION, Sphere::position, Sphere::withPosition)
                     .written()
                     .animated()
-                    .felt()
                     .means("the center")
                     .row("Sphere", "The position of the sphere's center.", "Alt+4 Alt+5 Alt+6")
                     .slide(Slide.PLACE),
             decimal("radius", SceneLimits.LENGTH, Sphere::radius, Sphere::withRadius)
                     .written()
                     .animated()
-                    .felt()
                     .means("its radius")
                     .row("Sphere radius", "The sphere's radius.", "Alt+7")
                     .slide(logarithmic(0.05, 10, 2, "m")));
@@ -34,14 +32,12 @@ public final class BodyProperties {
             vector("position", SceneLimits.POSITION, Mesh::position, Mesh::withPosition)
                     .since(2)
                     .animated()
-                    .felt()
                     .means("where the origin of the file or the center of the shape is")
                     .row("Mesh", "The position of the origin of the mesh's file.", "Alt+4 Alt+5 Alt+6")
                     .slide(Slide.PLACE),
             Property.of("rotation", new Turn(SceneLimits.ANGLE), Mesh::rotation, Mesh::withRotation)
                     .since(2)
                     .animated()
-                    .felt()
                     .means("yaw, pitch and roll")
                     .row(
                             "Mesh",
@@ -52,7 +48,6 @@ public final class BodyProperties {
             decimal("scale", SceneLimits.FACTOR, Mesh::scale, Mesh::withScale)
                     .since(2)
                     .animated()
-                    .felt()
                     .means("meters per unit of the file; a factor of a shape's size")
                     .row(
                             "Mesh scale",
@@ -76,14 +71,12 @@ public final class BodyProperties {
     public static final List<Property<Ground, ?>> PLANE = List.of(
             decimal("size", SceneLimits.LENGTH, Ground::size, Ground::withSize)
                     .written()
-                    .felt()
                     .means("the side of the square")
                     .row("Plane size", "The side of the square. Walls stand on its border.", "Alt+Shift+P")
                     .slide(logarithmic(1, 1000, 1, "m")),
             decimal("height", SceneLimits.POSITION, Ground::height, Ground::withHeight)
                     .written()
                     .animated()
-                    .felt()
                     .means("its y")
                     .row("Plane height", "The plane's y. The camera stays above it.", "Alt+Shift+H")
                     .slide(Slide.PLACE));

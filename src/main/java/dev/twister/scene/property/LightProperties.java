@@ -21,7 +21,6 @@ public final class LightProperties {
                     "radius", SceneLimits.LENGTH, Light::radius, Light::withRadius)
             .written()
             .animated()
-            .felt()
             .means("a larger light makes softer shadows")
             .row("Light size", "The light's radius. A larger light makes softer shadows.", "Alt+L")
             .slide(logarithmic(0.05, 10, 2, "m"));
@@ -65,7 +64,6 @@ public final class LightProperties {
             vector("position", SceneLimits.POSITION, Light::position, Light::withPosition)
                     .written()
                     .animated()
-                    .felt()
                     .means("the center")
                     .row("Light", "The light's position.", "Alt+1 Alt+2 Alt+3")
                     .slide(Slide.PLACE),

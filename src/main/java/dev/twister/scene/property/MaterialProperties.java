@@ -182,9 +182,6 @@ public final class MaterialProperties {
                     .<Property<Material, ?>>flatMap(List::stream)
                     .toList();
 
-    /** Of bodies that have their colors from elsewhere. */
-    public static final List<Property<Material, ?>> UNCOLORED = ALL.subList(1, ALL.size());
-
     private static final List<String> EMITTED =
             List.of("emission", "emissionStrength", "doubleSided", "lightGroup", "emissionMap");
 

@@ -24,7 +24,7 @@ import java.util.function.UnaryOperator;
 
 /**
  * A property of a part of a scene: all that is known of it but what it does. Reader and writer of scene files, their
- * schema and their description, tracks, the window's rows and the digests of motion files go by the lists of these.
+ * schema and their description, tracks and the window's rows go by the lists of these.
  *
  * @param <T> the part
  * @param <V> a value
@@ -33,7 +33,6 @@ import java.util.function.UnaryOperator;
  * @param since the version of the format that first has it
  * @param isAlwaysWritten whether it is written where its value is the default, too
  * @param isAnimated whether a track can change it
- * @param isFelt whether the motion of bodies depends on it
  * @param meaning a phrase for the description of the format
  * @param row how the window shows it
  */
@@ -46,7 +45,6 @@ public record Property<T, V>(
         int since,
         boolean isAlwaysWritten,
         boolean isAnimated,
-        boolean isFelt,
         String meaning,
         Row row)
         implements PropertyCopy.With<T, V> {
@@ -54,10 +52,10 @@ public record Property<T, V>(
         requireNonNull(row, "row");
     }
 
-    /** A property of the first version, only seen, at rest, that a file may leave out. */
+    /** A property of the first version, at rest, that a file may leave out. */
     static <T, V> Property<T, V> of(
             String name, PropertyType<V> type, Function<T, V> getter, BiFunction<T, V, T> wither) {
-        return new Property<>(name, type, getter, wither, 1, false, false, false, "", Row.NONE);
+        return new Property<>(name, type, getter, wither, 1, false, false, "", Row.NONE);
     }
 
     static <T> Property<T, Double> decimal(
@@ -107,11 +105,6 @@ public record Property<T, V>(
         return withIsAnimated(true);
     }
 
-    /** The motion of bodies depends on it. */
-    Property<T, V> felt() {
-        return withIsFelt(true);
-    }
-
     Property<T, V> means(String phrase) {
         return withMeaning(phrase);
     }
@@ -155,7 +148,6 @@ public record Property<T, V>(
                 since,
                 isAlwaysWritten,
                 isAnimated,
-                isFelt,
                 meaning,
                 row);
     }

@@ -135,7 +135,6 @@ public final class SceneProperties {
     public static final List<Property<Physics, ?>> PHYSICS = List.of(
             vector("gravity", new Range(-1000, 1000, "m/s^2"), Physics::gravity, Physics::withGravity)
                     .written()
-                    .felt()
                     .means("acceleration; the Earth's is `[0, -9.81, 0]`")
                     .row(
                             "Gravity",
@@ -144,13 +143,11 @@ public final class SceneProperties {
                     .slide(linear(-30, 30, 2, "m/s²")),
             decimal("elasticity", SceneLimits.SHARE, Physics::elasticity, Physics::withElasticity)
                     .written()
-                    .felt()
                     .means("share of the speed that bodies keep when they bounce")
                     .row("Elasticity", "Share of the speed that bodies keep when they bounce.", "Alt+Shift+E")
                     .slide(SHARE),
             decimal("friction", new Range(0, 10), Physics::friction, Physics::withFriction)
                     .written()
-                    .felt()
                     .means("Coulomb's coefficient")
                     .row(
                             "Friction",
@@ -159,18 +156,15 @@ public final class SceneProperties {
                     .slide(SHARE),
             decimal("damping", new Range(0, 100, "1/s"), Physics::damping, Physics::withDamping)
                     .written()
-                    .felt()
                     .means("rate at which speed is lost")
                     .row("Damping", "Rate at which bodies lose speed, as in thick air; 0 for none.", "")
                     .slide(linear(0, 5, 2, "1/s")),
             flag("walls", Physics::walls, Physics::withWalls)
                     .written()
-                    .felt()
                     .means("whether four walls without an upper end stand on the plane's border")
                     .row("Walls", "Invisible walls on the border of the plane hold the spheres.", "Alt+Shift+W"),
             flag("solidLight", Physics::solidLight, Physics::withSolidLight)
                     .written()
-                    .felt()
                     .means("whether spheres bounce off lights; otherwise they pass through")
                     .row("Solid lights", "Spheres bounce off lights. Off: they pass through.", ""));
 

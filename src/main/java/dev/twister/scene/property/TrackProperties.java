@@ -22,7 +22,7 @@ public final class TrackProperties {
     /** The plane cannot emit. */
     public static final List<Property<Ground, ?>> PLANE =
             animated(BodyProperties.PLANE, Ground::material, Ground::withMaterial).stream()
-                    .filter(property -> !property.name().startsWith("emission"))
+                    .filter(property -> !MaterialProperties.isOfEmission(property))
                     .toList();
 
     private TrackProperties() {}

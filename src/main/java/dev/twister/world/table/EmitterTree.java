@@ -129,7 +129,7 @@ final class EmitterTree {
         }
     }
 
-    private static double dot(double[] one, double[] other) {
+    static double dot(double[] one, double[] other) {
         return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
     }
 

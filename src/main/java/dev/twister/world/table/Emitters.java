@@ -151,7 +151,7 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
                 for (int triangle = 0; triangle < triangles; triangle++) {
                     double[][] corners = corners(floats, at, bodies.meshes(), triangle);
                     double[] normal = cross(corners);
-                    double twice = Math.sqrt(dot(normal, normal));
+                    double twice = Math.sqrt(EmitterTree.dot(normal, normal));
                     double power = radiance * twice / 2 * sides;
                     emitters.add(new Emitter(
                             body, instance, triangle, twice / 2, part(corners, normal, twice, power, sides)));
@@ -170,7 +170,7 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
         double squared = 0;
         for (double[] corner : corners) {
             double[] away = {corner[0] - center[0], corner[1] - center[1], corner[2] - center[2]};
-            squared = Math.max(squared, dot(away, away));
+            squared = Math.max(squared, EmitterTree.dot(away, away));
         }
         return new EmitterTree.Part(center, Math.sqrt(squared), power, axis);
     }
@@ -203,10 +203,6 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
             first[2] * second[0] - first[0] * second[2],
             first[0] * second[1] - first[1] * second[0]
         };
-    }
-
-    private static double dot(double[] one, double[] other) {
-        return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
     }
 
     private static void write(float[] looks, int at, Emitter emitter, double sum, double probability) {

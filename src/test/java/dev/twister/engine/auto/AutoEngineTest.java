@@ -124,17 +124,19 @@ class AutoEngineTest {
 
     /** Rows of the sky alone take less time than others, by every engine. */
     @Test
-    void theWarmUpDrawsTheRowsOfTheBand() throws InterruptedException {
-        assertThat(warmedBand(0)).isEqualTo(List.of(0, 20));
-        assertThat(warmedBand(80)).isEqualTo(List.of(40, 20));
-    }
-
-    private List<Integer> warmedBand(int first) throws InterruptedException {
+    void theWarmUpDrawsTheRowsOfTheLatestBand() throws InterruptedException {
         CountingEngine slow = new CountingEngine("tornado:0:0", 1000);
+        CountDownLatch looked = new CountDownLatch(1);
+        slow.pauses = _ -> Latches.await(looked);
+        Frame rows = Frame.ofPixels(WIDTH, 40);
         try (Engine auto = auto(_ -> Optional.of(slow))) {
-            auto.render(input.band(first, 40), Frame.ofPixels(WIDTH, 40));
+            auto.render(input.band(0, 40), rows);
             slow.awaitFrames(1);
-            return slow.lastBand;
+            assertThat(slow.lastBand).isEqualTo(List.of(0, 20));
+            auto.render(input.band(80, 40), rows);
+            looked.countDown();
+            slow.awaitFrames(2);
+            assertThat(slow.lastBand).isEqualTo(List.of(40, 20));
         }
     }
 

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.picking.PointerRay;
 import dev.twister.gui.property.NumberProperty;
-import dev.twister.gui.property.PropertyNumbers;
+import dev.twister.gui.property.PanelNumbers;
 import dev.twister.mesh.MeshFile;
 import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Light;
@@ -84,7 +84,7 @@ class SeveralLightsEditsTest {
 
     @Test
     void numbersOfOneChangeItAlone() {
-        NumberProperty<Scene> height = PropertyNumbers.ofLight(() -> 2).get(1);
+        NumberProperty<Scene> height = PanelNumbers.ofLight(2).get(1);
 
         assertThat(height.read(scene)).isEqualTo(4);
         assertThat(height.write(scene, 6).lights().list())
@@ -107,10 +107,7 @@ class SeveralLightsEditsTest {
     }
 
     private static NumberProperty<Scene> number(String label) {
-        return PropertyNumbers.ofLight(() -> 1).stream()
-                .filter(number -> number.label().equals(label))
-                .findFirst()
-                .orElseThrow();
+        return PanelNumbers.ofLight(1, label);
     }
 
     @Test

@@ -16,13 +16,17 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class NumberPropertyTest {
+    private static final NumberProperty<Scene> SHADOW_SAMPLES = PropertyNumbers.of(
+                    SceneProperties.SHADOW_SAMPLES.within(Scene::rendering, Scene::withRendering))
+            .getFirst();
+
     private final Scene scene = Scenes.scene();
 
     static Stream<NumberProperty<Scene>> all() {
         int body = Layout.FIRST_SPHERE + 1;
         Scene scene = Scenes.scene();
         Stream<NumberProperty<Scene>> materials = Stream.of(body, Layout.PLANE)
-                .flatMap(of -> PropertyNumbers.ofMaterial().stream()
+                .flatMap(of -> PanelNumbers.ofMaterial().stream()
                         .map(number -> number.in(
                                 whole -> BodyMaterials.of(whole, of),
                                 (whole, edit) -> BodyMaterials.edited(whole, of, edit))));
@@ -31,7 +35,7 @@ class NumberPropertyTest {
                                 Property.within(SceneProperties.RENDERING, Scene::rendering, Scene::withRendering))
                                 .stream(),
                         PropertyNumbers.ofCamera().stream(),
-                        PropertyNumbers.ofLight(() -> 0).stream(),
+                        PanelNumbers.ofLight(0).stream(),
                         PropertyNumbers.of(Property.within(SceneProperties.SKY, Scene::sky, Scene::withSky)).stream(),
                         PropertyNumbers.of(Property.within(SceneProperties.SHADING, Scene::shading, Scene::withShading))
                                 .stream(),
@@ -90,34 +94,32 @@ class NumberPropertyTest {
 
     @Test
     void whatIsTypedIsCheckedAgainstTheScenesLimits() {
-        NumberProperty<Scene> shadows = PropertyNumbers.SHADOW_SAMPLES;
-        assertThat(shadows.scale().parse(" 700 ")).contains(700.0);
-        assertThat(shadows.scale().parse("0")).isEmpty();
-        assertThat(shadows.scale().parse("1025")).isEmpty();
-        assertThat(shadows.scale().parse("many")).isEmpty();
-        assertThat(shadows.scale().parse("NaN")).isEmpty();
-        assertThat(shadows.scale().parse("")).isEmpty();
-        assertThat(shadows.scale().parse("1e999999999")).isEmpty();
+        assertThat(SHADOW_SAMPLES.scale().parse(" 700 ")).contains(700.0);
+        assertThat(SHADOW_SAMPLES.scale().parse("0")).isEmpty();
+        assertThat(SHADOW_SAMPLES.scale().parse("1025")).isEmpty();
+        assertThat(SHADOW_SAMPLES.scale().parse("many")).isEmpty();
+        assertThat(SHADOW_SAMPLES.scale().parse("NaN")).isEmpty();
+        assertThat(SHADOW_SAMPLES.scale().parse("")).isEmpty();
+        assertThat(SHADOW_SAMPLES.scale().parse("1e999999999")).isEmpty();
         assertThat(PropertyNumbers.EXPOSURE.scale().parse("-0,5")).contains(-0.5);
-        assertThat(shadows.complaint("many"))
+        assertThat(SHADOW_SAMPLES.complaint("many"))
                 .isEqualTo("Shadow samples is 'many', but must be a number from 1 to 1024");
     }
 
     @Test
     void placesFollowTheScale() {
-        NumberProperty<Scene> shadows = PropertyNumbers.SHADOW_SAMPLES;
-        assertThat(shadows.scale().placeOf(20)).isCloseTo(0.5, within(1e-9));
-        assertThat(shadows.scale().numberAt(0.5)).isEqualTo(20);
-        assertThat(shadows.scale().placeOf(1000)).isEqualTo(1);
+        assertThat(SHADOW_SAMPLES.scale().placeOf(20)).isCloseTo(0.5, within(1e-9));
+        assertThat(SHADOW_SAMPLES.scale().numberAt(0.5)).isEqualTo(20);
+        assertThat(SHADOW_SAMPLES.scale().placeOf(1000)).isEqualTo(1);
         assertThat(PropertyNumbers.EXPOSURE.scale().placeOf(0)).isEqualTo(0.5);
     }
 
     @Test
     void aPlacesSliderIsAboutWhereTheBodyIs() {
-        NumberScale near = PropertyNumbers.ofLight(() -> 0).get(0).scale().around(50);
+        NumberScale near = PanelNumbers.ofLight(0).get(0).scale().around(50);
         assertThat(near.placeOf(50)).isEqualTo(0.5);
         assertThat(near.numberAt(1)).isEqualTo(55);
-        assertThat(PropertyNumbers.ofLight(() -> 0).get(0).scale().around(1e6).numberAt(1))
+        assertThat(PanelNumbers.ofLight(0).get(0).scale().around(1e6).numberAt(1))
                 .isEqualTo(1e6);
         assertThat(PropertyNumbers.EXPOSURE.scale().around(3)).isEqualTo(PropertyNumbers.EXPOSURE.scale());
     }
@@ -129,15 +131,15 @@ class NumberPropertyTest {
         assertThat(radius.scale().text(0.0123456)).isEqualTo("0.012");
         assertThat(radius.scale().text(1e-6)).isEqualTo("0.000001");
         assertThat(radius.scale().text(1.234)).isEqualTo("1.23");
-        assertThat(PropertyNumbers.ofLight(() -> 0).get(0).scale().text(1e-9)).isEqualTo("0");
+        assertThat(PanelNumbers.ofLight(0).get(0).scale().text(1e-9)).isEqualTo("0");
         assertThat(radius.scale().parse(radius.scale().text(0.004))).contains(0.004);
     }
 
     @Test
     void aDragGoesBeyondTheSliderUpToWhatIsAllowed() {
         assertThat(PropertyNumbers.EXPOSURE.scale().movedBy(6, 0.5)).isEqualTo(12);
-        assertThat(PropertyNumbers.SHADOW_SAMPLES.scale().movedBy(400, 1)).isEqualTo(1024);
-        assertThat(PropertyNumbers.SHADOW_SAMPLES.scale().movedBy(20, 0.5)).isCloseTo(400, within(1e-6));
+        assertThat(SHADOW_SAMPLES.scale().movedBy(400, 1)).isEqualTo(1024);
+        assertThat(SHADOW_SAMPLES.scale().movedBy(20, 0.5)).isCloseTo(400, within(1e-6));
         assertThat(light("Light brightness").scale().movedBy(0, 0.1)).isPositive();
     }
 
@@ -149,9 +151,6 @@ class NumberPropertyTest {
     }
 
     private static NumberProperty<Scene> light(String label) {
-        return PropertyNumbers.ofLight(() -> 0).stream()
-                .filter(number -> number.label().equals(label))
-                .findFirst()
-                .orElseThrow();
+        return PanelNumbers.ofLight(0, label);
     }
 }
