@@ -55,11 +55,14 @@ public record NumberScale(Range allowed, Range slid, Spread spread, int decimals
     }
 
     /**
-     * The number that an arrow key leads to.
+     * The number that an arrow key leads to; at the slider's end or beyond it, the number itself.
      *
      * @param steps steps of 1 % of the slider; the step is at least the last decimal
      */
     public double stepped(double number, double steps) {
+        if (steps > 0 ? number >= slid.max() : number <= slid.min()) {
+            return number;
+        }
         double finest = Math.pow(10, -places(number));
         double next = numberAt(Math.clamp(placeOf(number) + steps / STEPS_LINEAR, 0, 1));
         boolean moved = Math.abs(next - number) >= finest / 2 && Math.signum(next - number) == Math.signum(steps);

@@ -107,6 +107,13 @@ class NumberPropertyTest {
     }
 
     @Test
+    void arrowKeysDoNotTakeBackWhatIsBeyondTheSlider() {
+        assertThat(PropertyNumbers.EXPOSURE.scale().stepped(12, 1)).isEqualTo(12);
+        assertThat(PropertyNumbers.EXPOSURE.scale().stepped(12, -1)).isLessThan(12);
+        assertThat(PropertyNumbers.EXPOSURE.scale().stepped(-12, -1)).isEqualTo(-12);
+    }
+
+    @Test
     void placesFollowTheScale() {
         assertThat(SHADOW_SAMPLES.scale().placeOf(20)).isCloseTo(0.5, within(1e-9));
         assertThat(SHADOW_SAMPLES.scale().numberAt(0.5)).isEqualTo(20);
