@@ -106,7 +106,7 @@ class BadInputTest {
                 "benchmark --output FOLDER/a | --output is the folder of --paper",
                 "benchmark --samples 4 | --samples is for the integrator path, but the picture has whitted; add --integrator path",
                 "benchmark --integrator path --classic | --classic is for the integrator whitted",
-                "benchmark --integrator path --samples 0 | --samples is 0, but must be from 1 to 1024",
+                "benchmark --integrator path --samples 0 | --samples is 0, but must be from 1 to 65536",
                 "benchmark --paper --integrator path --output FOLDER/a | --paper has its own sizes",
                 "render benchmark -o FOLDER/a.exr --noise 0.01 --sample-range 0-6 | --sample-range has 7 samples, but --noise needs 8 or more",
                 "render benchmark -o FOLDER/a.exr --noise 0.01 --tile 1/2 --view beauty,albedo | --noise with --tile or --sample-range needs one picture; --view has 2",
