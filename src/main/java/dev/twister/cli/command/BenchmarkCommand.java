@@ -191,7 +191,6 @@ final class BenchmarkCommand implements Callable<Integer> {
             names = "--jit",
             paramLabel = "JIT",
             split = ",",
-            completionCandidates = Completions.OfJit.class,
             description =
                     "Run once per compiler, each in a JVM of its own, and compare: ${COMPLETION-CANDIDATES}. graal"
                             + " needs GraalVM or a TornadoVM SDK. Default: this JVM's.")

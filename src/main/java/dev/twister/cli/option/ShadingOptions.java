@@ -22,8 +22,7 @@ public final class ShadingOptions {
 
     @Option(
             names = "--integrator",
-            paramLabel = "NAME",
-            completionCandidates = Completions.OfIntegrator.class,
+            paramLabel = "INTEGRATOR",
             description = "How light is followed: whitted (reflections and shadows) or path (path tracing).")
     private Optional<Integrator> integrator = Optional.empty();
 

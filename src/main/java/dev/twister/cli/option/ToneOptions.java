@@ -24,8 +24,7 @@ public final class ToneOptions {
 
     @Option(
             names = "--tone-map",
-            paramLabel = "NAME",
-            completionCandidates = Completions.OfToneMap.class,
+            paramLabel = "MAP",
             description = "clamp, reinhard or aces.")
     private Optional<ToneMap> toneMap = Optional.empty();
 
