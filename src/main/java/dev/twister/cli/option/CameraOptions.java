@@ -61,20 +61,12 @@ public final class CameraOptions {
 
     public Camera over(Scene scene) {
         Camera camera = view.map(name -> view(scene, name)).orElse(scene.camera());
-        return camera.withPosition(position.map(CameraOptions::checked).orElse(camera.position()))
-                .withYawDegrees(Ranges.check("--yaw", yaw.orElse(camera.yawDegrees()), CameraProperties.YAW.range()))
-                .withPitchDegrees(
-                        Ranges.check("--pitch", pitch.orElse(camera.pitchDegrees()), CameraProperties.PITCH.range()))
-                .withFieldOfViewDegrees(Ranges.check(
-                        "--fov",
-                        fieldOfView.orElse(camera.fieldOfViewDegrees()),
-                        CameraProperties.FIELD_OF_VIEW.range()))
-                .withAperture(Ranges.check(
-                        "--aperture", aperture.orElse(camera.aperture()), CameraProperties.APERTURE.range()))
-                .withFocusDistance(Ranges.check(
-                        "--focus",
-                        focusDistance.orElse(camera.focusDistance()),
-                        CameraProperties.FOCUS_DISTANCE.range()));
+        camera = camera.withPosition(position.map(CameraOptions::checked).orElse(camera.position()));
+        camera = Ranges.over(camera, "--yaw", yaw, CameraProperties.YAW);
+        camera = Ranges.over(camera, "--pitch", pitch, CameraProperties.PITCH);
+        camera = Ranges.over(camera, "--fov", fieldOfView, CameraProperties.FIELD_OF_VIEW);
+        camera = Ranges.over(camera, "--aperture", aperture, CameraProperties.APERTURE);
+        return Ranges.over(camera, "--focus", focusDistance, CameraProperties.FOCUS_DISTANCE);
     }
 
     /** The scene without the tracks of what the options say. */

@@ -6,6 +6,7 @@ import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.property.SceneProperties;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
@@ -33,13 +34,11 @@ public final class ToneOptions {
 
     /** An exposure of auto is left as it is, for {@link #metered}. */
     public Rendering over(Rendering settings) {
-        double stops = Ranges.check(
-                "--exposure",
-                exposure.flatMap(given -> given.stops().stream().boxed().findFirst())
-                        .orElse(settings.exposure()),
-                -Rendering.MAX_EXPOSURE_STOPS,
-                Rendering.MAX_EXPOSURE_STOPS);
-        return settings.withTone(stops, toneMap.orElse(settings.toneMap()), srgb.orElse(settings.srgb()));
+        Optional<Double> stops =
+                exposure.flatMap(given -> given.stops().stream().boxed().findFirst());
+        Rendering toned = Ranges.over(settings, "--exposure", stops, SceneProperties.EXPOSURE);
+        toned = Ranges.over(toned, "--tone-map", toneMap, SceneProperties.TONE_MAP);
+        return Ranges.over(toned, "--srgb", srgb, SceneProperties.SRGB);
     }
 
     /** The scene without the track of the exposure, if the options say it. */
