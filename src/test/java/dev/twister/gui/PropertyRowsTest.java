@@ -38,9 +38,8 @@ class PropertyRowsTest {
         String description = Files.readString(Path.of("docs", "scene-format.md"));
 
         assertThat(properties())
-                .allSatisfy(property -> assertThat(description)
-                        .as(property.name())
-                        .contains("`" + property.name() + "`"))
+                .allSatisfy(
+                        property -> assertThat(description).as(property.name()).contains("`" + property.name() + "`"))
                 .filteredOn(property -> !ELSEWHERE.containsKey(property))
                 .allSatisfy(property -> assertThat(ENDINGS)
                         .as(property.name() + ", a row " + property.row().label())

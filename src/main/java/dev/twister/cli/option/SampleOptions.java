@@ -15,8 +15,8 @@ public final class SampleOptions {
     @Option(
             names = "--samples",
             paramLabel = "N",
-            description = "View rays per pixel, 1 to " + Rendering.MAX_SAMPLES_PER_PIXEL + "; with --noise, the limit (default: "
-                    + Sampling.USUAL_LIMIT + ").")
+            description = "View rays per pixel, 1 to " + Rendering.MAX_SAMPLES_PER_PIXEL
+                    + "; with --noise, the limit (default: " + Sampling.USUAL_LIMIT + ").")
     private Optional<Integer> samples = Optional.empty();
 
     @Option(

@@ -29,7 +29,8 @@ public final class SkyOptions {
         Sky own = scene.sky();
         Scene turned = rotation.isPresent() ? scene.withoutTrack(TrackTarget.SKY, "rotation") : scene;
         Scene fixed = strength.isPresent() ? turned.withoutTrack(TrackTarget.SKY, "strength") : turned;
-        Sky sky = Ranges.over(own.withFile(skybox.orElse(own.file())), "--sky-rotation", rotation, SceneProperties.SKY_ROTATION);
+        Sky sky = Ranges.over(
+                own.withFile(skybox.orElse(own.file())), "--sky-rotation", rotation, SceneProperties.SKY_ROTATION);
         return fixed.withSky(Ranges.over(sky, "--sky-strength", strength, SceneProperties.SKY_STRENGTH));
     }
 }

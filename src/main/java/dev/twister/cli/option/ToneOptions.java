@@ -23,10 +23,7 @@ public final class ToneOptions {
                     + " first frame. .hdr and .exr files keep the radiance.")
     private Optional<Exposure> exposure = Optional.empty();
 
-    @Option(
-            names = "--tone-map",
-            paramLabel = "MAP",
-            description = "clamp, reinhard or aces.")
+    @Option(names = "--tone-map", paramLabel = "MAP", description = "clamp, reinhard or aces.")
     private Optional<ToneMap> toneMap = Optional.empty();
 
     @Option(names = "--srgb", negatable = true, description = "Apply the sRGB transfer function after tone mapping.")

@@ -19,10 +19,8 @@ public final class TornadoKernel implements Supplier<DrawTask> {
     static final int FEW_SCRATCH = Layout.CANDIDATE_STRIDE * SphereHierarchy.FEWEST_SPHERES;
 
     /** Place in {@code frame}, behind all else, of the number of the first pixel in {@code pixels}. */
-    static final int FIRST_PIXEL = Layout.DISC
-            + 2 * Rendering.MAX_SHADOW_SAMPLES
-            + Layout.SAMPLE_STRIDE * MOST_SAMPLES
-            + Layout.MOST_TILES;
+    static final int FIRST_PIXEL =
+            Layout.DISC + 2 * Rendering.MAX_SHADOW_SAMPLES + Layout.SAMPLE_STRIDE * MOST_SAMPLES + Layout.MOST_TILES;
 
     @Override
     public DrawTask get() {

@@ -92,8 +92,8 @@ class TornadoEngineTest {
             Pictures.requireSequentials(engine, world.snapshot());
             world.setSettings(settings.withBounces(Rendering.MAX_BOUNCES));
             Pictures.requireSequentials(engine, world.snapshot());
-            world.setSettings(settings.withSamplesPerPixel(TornadoKernel.MOST_SAMPLES)
-                    .withShadowSamples(1));
+            world.setSettings(
+                    settings.withSamplesPerPixel(TornadoKernel.MOST_SAMPLES).withShadowSamples(1));
             Pictures.requireSequentials(engine, world.snapshot());
             world.setSettings(settings.withTone(1.5, ToneMap.REINHARD, true));
             Pictures.requireSequentials(engine, world.snapshot());
