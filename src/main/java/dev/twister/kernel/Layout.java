@@ -208,6 +208,9 @@ public final class Layout {
     /** The reflectivity beside a metal, for path tracing. */
     public static final int LOOK_BESIDE_METAL = 20;
 
+    /** What is missing of the dielectric reflectance in path tracing, in [0, 1]. */
+    public static final int LOOK_SPECULAR_LOSS = 21;
+
     public static final int LOOK_STRIDE = 24;
 
     /**
@@ -638,7 +641,10 @@ public final class Layout {
     /** With a tree of emitters: the normal of the surface that has chosen; 0 if light comes from both sides. */
     public static final int LIT_NORMAL = 127;
 
-    public static final int TRACED_PATH_LENGTH = 130;
+    /** {@link #LOOK_SPECULAR_LOSS} of the surface. */
+    public static final int SPECULAR_LOSS = 130;
+
+    public static final int TRACED_PATH_LENGTH = 131;
 
     /** With {@link Guides}: the sums over the pixel's samples. */
     public static final int GUIDE_ALBEDO = TRACED_PATH_LENGTH;
