@@ -366,7 +366,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private Rendering settings(Rendering usual) {
-        PictureSize wanted = size.orElseGet(() -> new PictureSize(usual.width(), usual.height()));
+        PictureSize wanted = size.orElseGet(() -> camera.sizeOr(new PictureSize(usual.width(), usual.height())));
         Rendering shaded = shading.over(usual)
                 .withSize(wanted.width(), wanted.height())
                 .withSamplesPerPixel(samples.over(usual.samplesPerPixel()).samples());

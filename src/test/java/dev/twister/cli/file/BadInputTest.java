@@ -80,6 +80,8 @@ class BadInputTest {
                 "render gallery -o FOLDER/a.png --camera-view Front | unknown value 'Front' of --camera-view; expected one of the scene's views: ",
                 "render benchmark -o FOLDER/a.png --yaw Infinity | --yaw is Infinity",
                 "render benchmark -o FOLDER/a.png --pitch -91 | --pitch is -91.0, but must be from -90 to 90",
+                "render benchmark -o FOLDER/a.png --fov 180 | --fov is 180.0, but must be from 1 to 179",
+                "render benchmark -o FOLDER/a.png --projection fisheye --fov 361 | --fov is 361.0, but must be from 1 to 360",
                 "render benchmark -o FOLDER/a.png --fov 0.5 | --fov is 0.5, but must be from 1 to 179",
                 "render benchmark -o FOLDER/a.png --aperture -1 | --aperture is -1.0, but must be from 0 to 1000000",
                 "render benchmark -o FOLDER/a.png --focus 0 | --focus is 0.0, but must be from 0.000001 to 1000000",
