@@ -52,12 +52,15 @@ public final class Animation {
                         scene.tracks().stream()
                                 .mapToDouble(
                                         track -> track.keyframes().getLast().seconds()),
-                        scene.meshes().stream().filter(Animation::plays).mapToDouble(mesh -> turn(mesh, meshes)))
+                        scene.meshes().stream().mapToDouble(mesh -> turn(mesh, meshes)))
                 .reduce(camera, Math::max);
     }
 
-    /** Seconds of the film that the animation of a mesh takes: once all of it, or what is left of it. */
-    private static double turn(Mesh mesh, SceneMeshes meshes) {
+    /** Seconds of the film that the animation of a mesh takes: once all of it, or what is left of it; 0 for none. */
+    public static double turn(Mesh mesh, SceneMeshes meshes) {
+        if (!plays(mesh)) {
+            return 0;
+        }
         MeshAnimation animation = mesh.animation();
         double length = meshes.clipSeconds(mesh);
         double start = animation.time(length);
