@@ -25,6 +25,28 @@ public final class AnimatedGltf {
     private String node = "";
     private String more = "";
 
+    /** A file with a skin, a morph target and all kinds of channels. */
+    public static String example() {
+        AnimatedGltf gltf = new AnimatedGltf();
+        int joints = gltf.accessor("VEC4", 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0);
+        int weights = gltf.accessor("VEC4", 1, 0, 0, 0, 0.25f, 0.75f, 0, 0, 1, 0, 0, 0);
+        int target = gltf.accessor("VEC3", 0, 0, 0, 0, 0, -2, 0, 0, 0);
+        int times = gltf.accessor("SCALAR", 0, 1);
+        int places = gltf.accessor("VEC3", 0, 0, 0, 0, 4, 0);
+        int turns = gltf.accessor("VEC4", 0, 0, 0, 1, 0, 0, 1, 0);
+        int spline = gltf.accessor("VEC3", 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 2, 2, 2, 0, 0, 0);
+        int morph = gltf.normalized("SCALAR", 2, 0, 127);
+        return gltf.attributes(",\"JOINTS_0\":" + joints + ",\"WEIGHTS_0\":" + weights)
+                .primitive(",\"targets\":[{\"POSITION\":" + target + "}]")
+                .node(",\"skin\":0")
+                .nodes(",{\"scale\":[1,2,1]},{}")
+                .channel(2, "translation", "LINEAR", times, places)
+                .channel(1, "rotation", "STEP", times, turns)
+                .channel(1, "scale", "CUBICSPLINE", times, spline)
+                .channel(0, "weights", "LINEAR", times, morph)
+                .text(",\"skins\":[{\"joints\":[1,2]}]");
+    }
+
     /** Adds an accessor; returns its number. */
     public int accessor(String type, float... values) {
         views.add("{\"buffer\":0,\"byteOffset\":" + bytes.position() + ",\"byteLength\":" + 4 * values.length + "}");
