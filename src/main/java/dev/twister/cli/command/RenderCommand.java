@@ -132,7 +132,7 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(
             names = "--background",
-            paramLabel = "NAME",
+            paramLabel = "BACKGROUND",
             description = "sky (the default), or none: a PNG is transparent where there is no body, and a mesh file has"
                     + " no floor.")
     private Background background = Background.SKY;
@@ -372,10 +372,10 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private Rendering settings(Rendering usual) {
-        PictureSize wanted = size.orElseGet(() -> new PictureSize(usual.width(), usual.height()));
+        PictureSize wanted = size.orElseGet(() -> camera.sizeOr(new PictureSize(usual.width(), usual.height())));
         Rendering shaded = shading.over(usual)
                 .withSize(wanted.width(), wanted.height())
-                .withSamplesPerPixel(samples.over(usual.samplesPerPixel()).atOnce());
+                .withSamplesPerPixel(samples.over(usual.samplesPerPixel()).samples());
         return tone.over(shaded);
     }
 }

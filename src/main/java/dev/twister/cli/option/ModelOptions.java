@@ -63,6 +63,6 @@ public final class ModelOptions {
 
     private double angle(int index) {
         double angle = index < angles.size() ? angles.get(index) : 0;
-        return Ranges.check("--rotate", angle, SceneLimits.ANGLE.min(), SceneLimits.ANGLE.max());
+        return Ranges.check("--rotate", angle, SceneLimits.ANGLE);
     }
 }

@@ -77,16 +77,10 @@ public final class PropertyNumbers {
         return property.count() == 1 ? "" : (property.type() instanceof PropertyType.Turn ? ANGLES : AXES).get(index);
     }
 
-    /** The numbers of the camera, in the order of the rows: the focal length follows the field of view. */
-    public static List<NumberProperty<Scene>> ofCamera() {
-        return CameraProperties.ALL.stream()
-                .flatMap(property -> Stream.concat(
-                        of(property).stream(),
-                        property.equals(CameraProperties.FIELD_OF_VIEW)
-                                ? Stream.of(DerivedNumbers.FOCAL_LENGTH)
-                                : Stream.empty()))
-                .map(number -> number.in(Scene::camera, (scene, edit) -> scene.withCamera(edit.apply(scene.camera()))))
-                .toList();
+    /** The field of view as a focal length. */
+    public static NumberProperty<Scene> focalLength() {
+        return DerivedNumbers.FOCAL_LENGTH.in(
+                Scene::camera, (scene, edit) -> scene.withCamera(edit.apply(scene.camera())));
     }
 
     /**

@@ -6,6 +6,7 @@ import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshFiles;
 import dev.twister.mesh.MeshPart;
 import dev.twister.mesh.Reading;
+import dev.twister.mesh.input.Reflectivity;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.material.Alpha;
@@ -194,6 +195,20 @@ class GltfReaderTest {
                         + "\"specularFactor\":[0,0,0],\"glossinessFactor\":0.25}}}],");
         assertThat(file.parts().getFirst().material())
                 .isEqualTo(Material.DEFAULT.withColor(new Rgb(1, 0, 0)).withRoughness(0.75));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.5, 0.25, 0.25", "0, 0.25, 0.25", "0.5, 1.5, 1", "1, -1, 0"})
+    void specularIsAFactorThatLeavesTheIndex(double roughness, double factor, double expected) {
+        MeshFile file = read(
+                "{\"attributes\":{\"POSITION\":0},\"material\":0}",
+                "\"materials\":[{\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":" + roughness
+                        + "},\"extensions\":{\"KHR_materials_ior\":{\"ior\":1.4},"
+                        + "\"KHR_materials_specular\":{\"specularFactor\":" + factor + "}}}],");
+        Material material = file.parts().getFirst().material();
+        assertThat(material.ior()).isEqualTo(1.4);
+        assertThat(material.specular()).isEqualTo(expected);
+        assertThat(material.reflectivity()).isEqualTo(roughness == 0 ? Reflectivity.PLASTIC * expected : 0);
     }
 
     @Test
