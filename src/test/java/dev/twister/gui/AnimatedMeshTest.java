@@ -76,7 +76,8 @@ class AnimatedMeshTest {
         awaitRight(5);
         assertThat(WindowDriver.call(driver.studio::scene).meshes().getFirst().animation())
                 .isEqualTo(MeshAnimation.of("move"));
-        assertThat(WindowDriver.call(() -> driver.studio.bodies().extent(MESH).half().x()))
+        assertThat(WindowDriver.call(
+                        () -> driver.studio.bodies().extent(MESH).half().x()))
                 .isCloseTo(0.5, within(1e-3));
     }
 
@@ -89,7 +90,8 @@ class AnimatedMeshTest {
 
         driver.await(() -> driver.studio.film().secondsProperty().get() < 1);
 
-        assertThat(WindowDriver.call(driver.studio.film().playingProperty()::get)).isTrue();
+        assertThat(WindowDriver.call(driver.studio.film().playingProperty()::get))
+                .isTrue();
         driver.run(driver.studio.film()::togglePlaying);
     }
 

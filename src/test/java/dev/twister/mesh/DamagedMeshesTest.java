@@ -56,7 +56,8 @@ class DamagedMeshesTest {
                             assertThat(part.mesh()).isBetween(0, mesh.meshes().size() - 1));
             mesh.meshes().forEach(DamagedMeshesTest::checkMesh);
             for (int clip = 0; clip < mesh.rig().clips().size(); clip++) {
-                double seconds = random.nextDouble() * mesh.rig().clips().get(clip).seconds();
+                double seconds =
+                        random.nextDouble() * mesh.rig().clips().get(clip).seconds();
                 mesh.rig().posed(mesh, clip, seconds).meshes().forEach(DamagedMeshesTest::checkMesh);
             }
         } catch (MeshException refused) {

@@ -42,6 +42,7 @@ final class KeyframeLane extends Pane {
 
     /** From the top and the bottom of the lane to a bar. */
     private static final double BAR = 6;
+
     private static final double REACH = 7;
     private static final double HEIGHT = 20;
 
@@ -127,7 +128,8 @@ final class KeyframeLane extends Pane {
 
     /** A bar as long as one turn of a mesh's animation, or what is left of it. */
     private void drawTurn(GraphicsContext pen) {
-        if (target.kind() == TrackTarget.Kind.MESH && target.index() < shown.meshes().size()) {
+        if (target.kind() == TrackTarget.Kind.MESH
+                && target.index() < shown.meshes().size()) {
             double turn = Animation.turn(
                     shown.meshes().get(target.index()), studio.bodies().meshes());
             if (turn > 0) {
