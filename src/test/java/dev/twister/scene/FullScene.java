@@ -57,6 +57,7 @@ public final class FullScene {
                                 new Rotation(20, 10, 30),
                                 0.6,
                                 25,
+                                new MeshAnimation("Walk", 0.25, -1.5, false),
                                 Optional.of(material(0.7, 0)),
                                 Tag.NONE))),
                 new Sky(Path.of("sky.hdr"), 30, 1.5),

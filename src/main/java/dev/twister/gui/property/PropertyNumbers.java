@@ -112,7 +112,12 @@ public final class PropertyNumbers {
     private static List<NumberProperty<Scene>> ofMesh(Mesh mesh, int body) {
         Stream<NumberProperty<Mesh>> smooth =
                 mesh.file().isPresent() ? of(BodyProperties.SMOOTH).stream() : Stream.empty();
-        return Stream.of(of(BodyProperties.MESH).stream(), smooth, DerivedNumbers.sides(mesh))
+        Stream<NumberProperty<Mesh>> animation = mesh.animation().isNone()
+                ? Stream.empty()
+                : of(BodyProperties.ANIMATION).stream()
+                        .map(number -> number.in(
+                                Mesh::animation, (whole, edit) -> whole.withAnimation(edit.apply(whole.animation()))));
+        return Stream.of(of(BodyProperties.MESH).stream(), smooth, animation, DerivedNumbers.sides(mesh))
                 .flatMap(numbers -> numbers)
                 .map(number -> number.<Scene>in(
                         scene -> BodyEdits.mesh(scene, body), (scene, edit) -> BodyEdits.editedMesh(scene, body, edit)))
