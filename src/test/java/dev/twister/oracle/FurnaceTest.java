@@ -102,8 +102,10 @@ class FurnaceTest {
     @ParameterizedTest
     @CsvSource({"0, 0.4, 0", "0.5, 0.4, 0", "0, 0.3, 1", "0.5, 0, 1"})
     void whatSpecularDoesNotReflectGoesOn(double specular, double roughness, double transmission) {
-        Material white =
-                Material.DEFAULT.withRoughness(roughness).withTransmission(transmission).withSpecular(specular);
+        Material white = Material.DEFAULT
+                .withRoughness(roughness)
+                .withTransmission(transmission)
+                .withSpecular(specular);
 
         double mean = 0;
         float[] radiance = traced(white);

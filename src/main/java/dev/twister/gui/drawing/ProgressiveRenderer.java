@@ -30,6 +30,8 @@ final class ProgressiveRenderer implements AutoCloseable {
     /** A picture with more is first drawn with these. */
     private static final int MOST_SAMPLES_AT_ONCE = 64;
 
+    private static final int MOST_PREVIEW_SAMPLES = 4;
+
     /** A refined picture with fewer samples may look worse than the plain one. */
     private static final int FEWEST_REFINED_SAMPLES = 4;
 
@@ -272,7 +274,9 @@ final class ProgressiveRenderer implements AutoCloseable {
         if (divisor == 1) {
             return false;
         }
-        FrameInput small = coarse(divisor);
+        FrameInput sized = coarse(divisor);
+        FrameInput small =
+                sized.samplesPerPixel() > MOST_PREVIEW_SAMPLES ? sized.withSamples(0, MOST_PREVIEW_SAMPLES) : sized;
         boolean gathers = input.tracesPaths() && wanted.shown() == StageOrView.BEAUTY && watcher.isEmpty();
         Preview drawing = gathers
                 ? Preview.gathering(small, wanted.isContinuous(), cleans(wanted), clock)
@@ -280,7 +284,8 @@ final class ProgressiveRenderer implements AutoCloseable {
         preview = Optional.of(drawing);
         drawPreview(wanted, engine, drawing);
         if (unknown || isPreview(wanted)) {
-            bands.guess(engine, input, drawing.renderNanos() * divisor * divisor);
+            int parts = divisor * divisor * input.samplesPerPixel() / small.samplesPerPixel();
+            bands.guess(engine, input, drawing.renderNanos() * parts);
         }
         return true;
     }
