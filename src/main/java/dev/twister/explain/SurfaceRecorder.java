@@ -40,7 +40,7 @@ final class SurfaceRecorder {
         int variant = input.variant(false);
         Path.meet(path, body, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.images(), variant);
         for (int light = 0; light < input.lights(); light++) {
-            SeveralLights.choose(path, input.light(light), bodies.floats());
+            SeveralLights.choose(path, input.light(light), bodies.floats(), bodies.looks());
             lights.add(part(light, scratch));
         }
     }

@@ -293,6 +293,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.INSERT, bodies::insert)
                 .on(Command.INSERT_MESH, files.assets()::insertMesh)
                 .on(Command.INSERT_LIGHT, bodies::insertLight)
+                .on(Command.INSERT_SUN, bodies::insertSun)
                 .on(Command.DUPLICATE, bodies::duplicate)
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)

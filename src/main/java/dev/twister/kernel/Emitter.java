@@ -1,8 +1,8 @@
 package dev.twister.kernel;
 
 /**
- * The emitters of path tracing: lights, spheres and triangles that emit, and the sky. {@link Layout#EMITTER_STRIDE}
- * describes their table.
+ * The emitters of path tracing: lights, spheres and triangles that emit, suns, and the sky.
+ * {@link Layout#EMITTER_STRIDE} describes their table.
  */
 public final class Emitter {
     private Emitter() {}
@@ -42,7 +42,11 @@ public final class Emitter {
                 path[Layout.EMITTED + 1] = looks[look + Layout.LOOK_EMISSION + 1];
                 path[Layout.EMITTED + 2] = looks[look + Layout.LOOK_EMISSION + 2];
                 int isTriangle = isTriangle(emitter, looks, variant);
-                if (isTriangle == 0) {
+                int isSun = Illumination.isSun(body, looks);
+                if (isSun != 0) {
+                    SunEmitter.choose(path, body, first, second, bodies);
+                }
+                if ((isTriangle | isSun) == 0) {
                     SphereEmitter.choose(path, body, first, second, bodies);
                     if ((variant & Variant.MAPS) != 0) {
                         EmissionMap.ofSphere(path, body, frame, bodies, looks, images);
@@ -71,20 +75,33 @@ public final class Emitter {
     public static int chosen(float[] path, int bounce, float[] frame, float[] looks) {
         float number = Noise.fresh(path, Noise.emitter(bounce), frame);
         int start = (int) frame[Layout.EMITTER_TABLE];
-        int low = 0;
+        int emitter = 0;
         if (frame[Layout.LIGHT_TREE] > 0f) {
-            low = LightTree.choose(path, number, frame, looks);
+            emitter = LightTree.choose(path, number, frame, looks);
         } else {
-            int high = (int) frame[Layout.EMITTERS] - 1;
-            while (low < high) {
-                int middle = (low + high) / 2;
-                int above = looks[start + Layout.EMITTER_STRIDE * middle + Layout.EMITTER_END] <= number ? 1 : 0;
-                low = above != 0 ? middle + 1 : low;
-                high = above != 0 ? high : middle;
-            }
-            path[Layout.CHOICE] = looks[start + Layout.EMITTER_STRIDE * low + Layout.EMITTER_PROBABILITY];
+            emitter = byPower(path, 0, number, frame, looks);
         }
-        return start + Layout.EMITTER_STRIDE * low;
+        return start + Layout.EMITTER_STRIDE * emitter;
+    }
+
+    /**
+     * The number of the emitter whose part of all probabilities holds a number. Writes its probability to
+     * {@link Layout#CHOICE}.
+     *
+     * @param first the emitters before it are left out
+     */
+    static int byPower(float[] path, int first, float number, float[] frame, float[] looks) {
+        int start = (int) frame[Layout.EMITTER_TABLE];
+        int low = first;
+        int high = (int) frame[Layout.EMITTERS] - 1;
+        while (low < high) {
+            int middle = (low + high) / 2;
+            int above = looks[start + Layout.EMITTER_STRIDE * middle + Layout.EMITTER_END] <= number ? 1 : 0;
+            low = above != 0 ? middle + 1 : low;
+            high = above != 0 ? high : middle;
+        }
+        path[Layout.CHOICE] = looks[start + Layout.EMITTER_STRIDE * low + Layout.EMITTER_PROBABILITY];
+        return low;
     }
 
     private static int isTriangle(int emitter, float[] looks, int variant) {

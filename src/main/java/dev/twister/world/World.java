@@ -105,6 +105,7 @@ public final class World {
         Scene before = scene;
         boolean sameBodies = hasBodiesOf(newScene)
                 && newScene.lights().count() == before.lights().count()
+                && newScene.lights().first().isSun() == before.lights().first().isSun()
                 && meshes.equals(newMeshes);
         boolean sameLooks = sameBodies && hasSurfacesOf(newScene) && images.equals(newImages);
         scene = newScene;

@@ -22,6 +22,11 @@ import java.util.concurrent.atomic.LongAdder;
 final class OracleTracer {
     private static final double PERFECT_MIRROR = 128;
 
+    /** In meters, beyond all bodies. */
+    private static final double SUN_DISTANCE = 1e7;
+
+    private static final Vector NEVER_HIT = new Vector(Double.NaN, 0, 0);
+
     /** Paths that transmit light end below this throughput. */
     private static final double LEAST_THROUGHPUT = 1.0 / 1024;
 
@@ -54,7 +59,21 @@ final class OracleTracer {
     }
 
     /** A light and its share. */
-    private record Lamp(SphereBody body, double share) {}
+    private record Lamp(SphereBody body, Light light) {
+        /** A sun is as far away from each point, in the same direction. */
+        SphereBody seenFrom(Vector point) {
+            return light.isSun()
+                    ? new SphereBody(
+                            point.plus(vector(light.shape().toward()).times(SUN_DISTANCE)),
+                            SUN_DISTANCE * light.shape().discSine(),
+                            body.material())
+                    : body;
+        }
+
+        double share() {
+            return light.share();
+        }
+    }
 
     /** What lights do at a surface: lit, and the sum of the highlights. */
     private record Shading(double lit, Color highlight) {}
@@ -64,7 +83,7 @@ final class OracleTracer {
         bodies.addAll(bodies(scene, images, meshes));
         for (int index = 0; index < scene.lights().count(); index++) {
             SphereBody body = (SphereBody) bodies.get(lightNumber(scene, index));
-            lamps.add(new Lamp(body, scene.lights().get(index).share()));
+            lamps.add(new Lamp(body, scene.lights().get(index)));
         }
         shadow = new OracleShadow(
                 bodies.stream().filter(body -> !isLight(body)).toList(),
@@ -83,7 +102,7 @@ final class OracleTracer {
 
     private static SphereBody body(Light light, SceneImages images) {
         return new SphereBody(
-                vector(light.position()),
+                light.isSun() ? NEVER_HIT : vector(light.position()),
                 light.radius(),
                 OracleMaterial.of(Material.DEFAULT.withColor(light.color()), images));
     }
@@ -231,7 +250,7 @@ final class OracleTracer {
         double sum = 0;
         Color highlight = Color.BLACK;
         for (Lamp lamp : lamps) {
-            SphereBody light = lamp.body();
+            SphereBody light = lamp.seenFrom(place.point());
             Vector toLight = light.center().minus(place.point()).normalized();
             double visible = shadowed ? shadow.visible(light, place.point(), place.body(), place.ray()) : 1;
             sum += lamp.share() * Math.max(0, place.normal().dot(toLight)) * visible;
@@ -242,7 +261,8 @@ final class OracleTracer {
 
     private double meanVisible(Place place) {
         return lamps.stream()
-                .mapToDouble(lamp -> shadow.visible(lamp.body(), place.point(), place.body(), place.ray()))
+                .mapToDouble(
+                        lamp -> shadow.visible(lamp.seenFrom(place.point()), place.point(), place.body(), place.ray()))
                 .average()
                 .orElseThrow();
     }
@@ -325,7 +345,7 @@ final class OracleTracer {
                 : 0;
     }
 
-    private static Vector vector(Vector3 vector) {
+    static Vector vector(Vector3 vector) {
         return new Vector(vector.x(), vector.y(), vector.z());
     }
 }

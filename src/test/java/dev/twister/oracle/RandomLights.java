@@ -35,6 +35,26 @@ public final class RandomLights {
         return new LitScene(scene.withLights(new Lights(lights)), lit.images(), lit.meshes());
     }
 
+    /** The scene with a sun as its first light, another one and a sphere. */
+    static LitScene ofSuns(LitScene lit, Random random) {
+        Scene scene = lit.scene();
+        List<Light> lights = new ArrayList<>();
+        lights.add(sun(random, 0));
+        lights.add(sun(random, RandomScenes.between(random, 0.2, 20)));
+        lights.add(scene.lights().first());
+        return new LitScene(scene.withLights(new Lights(lights)), lit.images(), lit.meshes());
+    }
+
+    private static Light sun(Random random, double angularDiameterDegrees) {
+        Vector3 direction = new Vector3(
+                RandomScenes.between(random, -2, 2),
+                RandomScenes.between(random, -2, 0.3),
+                RandomScenes.between(random, -2, 2));
+        return Light.sun(direction, angularDiameterDegrees)
+                .withColor(RandomScenes.albedo(random))
+                .withShare(share(random));
+    }
+
     private static double share(Random random) {
         return RandomScenes.extremeOr(random, 0, 1, RandomScenes.between(random, 0, 1.5));
     }

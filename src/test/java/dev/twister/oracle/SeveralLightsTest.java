@@ -55,6 +55,30 @@ class SeveralLightsTest {
         judge.requireExcusedAtMostOneIn(MESH_PIXELS_AN_EXCUSE);
     }
 
+    @Test
+    void sunsAreTheOracles() {
+        PixelJudge judge = new PixelJudge();
+        for (int seed = 0; seed < 30; seed++) {
+            Random random = new Random(seed);
+            LitScene lit = seed % 3 == 0
+                    ? RandomMeshes.scene(random, random.nextInt(4))
+                    : RandomMaterials.scene(random, random.nextInt(4));
+            LitScene scene = RandomLights.ofSuns(lit, random);
+            judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, scene), scene);
+        }
+        judge.requireExcusedAtMostOneIn(MESH_PIXELS_AN_EXCUSE);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {JvmEngines.PARALLEL, "vector"})
+    void enginesAgreeOnSuns(String engine) {
+        for (int seed = 0; seed < 6; seed++) {
+            Random random = new Random(seed);
+            LitScene scene = RandomLights.ofSuns(RandomMaterials.scene(random, 3), random);
+            assertThat(Pictures.argb(engine, scene)).isEqualTo(Pictures.argb(JvmEngines.SEQUENTIAL, scene));
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {JvmEngines.PARALLEL, "vector"})
     void enginesAgreeBitForBit(String engine) {

@@ -113,6 +113,7 @@ class WorldTest {
                         0,
                         -1,
                         -1,
+                        0,
                         Layout.DISC + 2 * 5);
     }
 

@@ -56,6 +56,12 @@ public final class BodyActions {
         });
     }
 
+    public void insertSun() {
+        if (hasRoomFor(1)) {
+            studio.insert("insert sun", List.of(), List.of(NewBodies.SUN));
+        }
+    }
+
     /** Adds copies of the selected bodies, to the right of them. */
     public void duplicate() {
         selected().ifPresent(originals -> {

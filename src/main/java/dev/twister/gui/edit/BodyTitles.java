@@ -68,7 +68,11 @@ public final class BodyTitles {
                     + BodyEdits.mesh(scene, body).geometry().name() + ")";
         }
         if (BodyEdits.isLight(scene, body)) {
-            return scene.lights().count() == 1 ? "Light" : "Light " + (BodyNumber.light(body) + 1);
+            String kind = switch (BodyEdits.light(scene, body).shape().kind()) {
+                case SPHERE -> "Light";
+                case SUN -> "Sun";
+            };
+            return scene.lights().count() == 1 ? kind : kind + " " + (BodyNumber.light(body) + 1);
         }
         return switch (body) {
             case BodyNumber.NONE -> "Nothing";

@@ -26,6 +26,9 @@ public final class NewBodies {
     /** Over the ground, in meters: above a new body that stands there. */
     private static final double LIGHT_HEIGHT = 3.25;
 
+    /** As large as the Earth's, over the camera's right shoulder at yaw 0. */
+    public static final Light SUN = Light.sun(new Vector3(-0.5, -1, 0.5), 0.53);
+
     private NewBodies() {}
 
     /** A new shape of the usual proportions, made of what a new sphere would be. */

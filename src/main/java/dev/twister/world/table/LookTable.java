@@ -21,7 +21,7 @@ public final class LookTable {
 
     private float[] looks = {};
     private int materials;
-    private BodyOrder numbers = new BodyOrder(0, 1);
+    private BodyOrder numbers = BodyOrder.EMPTY;
     private int lightTable;
     private MapTexels texels = MapTexels.NONE;
 
@@ -40,7 +40,7 @@ public final class LookTable {
             float[] meshFloats,
             SceneImages newImages) {
         MapTable table = new MapTable(newImages);
-        numbers = new BodyOrder(spheres.size(), lights.count());
+        numbers = BodyOrder.of(spheres.size(), lights);
         float[] materials = new float[Layout.LOOK_STRIDE * (numbers.firstMesh() + meshes.size())];
         put(materials, Layout.PLANE, ground.material(), table.row(ground.material()));
         int body = Layout.FIRST_SPHERE;
@@ -75,7 +75,7 @@ public final class LookTable {
             int look = Layout.LOOK_STRIDE * numbers.light(index);
             putColor(materials, look, lights.get(index).color());
             materials[look + Layout.LOOK_SHARE] = (float) lights.get(index).share();
-            materials[look + Layout.LOOK_LIGHT] = 1;
+            materials[look + Layout.LOOK_LIGHT] = lights.get(index).isSun() ? Layout.SUN_LIGHT : Layout.SPHERE_LIGHT;
         }
     }
 

@@ -79,6 +79,34 @@ class LightsTest {
     }
 
     @Test
+    void readsASunAndWritesItAsItWas() {
+        String sun = "\"light\": {\"type\": \"sun\", \"direction\": [0.5, -1, 0], \"angularDiameter\": 0.53,"
+                + " \"color\": [1, 0.9, 0.8], \"strength\": 3}";
+        Scene scene = readNew(sun);
+
+        assertThat(scene.lights().list())
+                .containsExactly(Light.sun(new Vector3(0.5, -1, 0), 0.53)
+                        .withColor(new Rgb(1, 0.9, 0.8))
+                        .withStrength(3.0));
+        assertThat(SceneWriter.text(scene)).contains("\"version\": 4", sun);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            {"type": "sun"}                             | $.light.type is "sun", which needs "direction": where it shines, three numbers from -1000000 to 1000000, one of them not 0
+            {"type": "sun", "direction": [0, 0, 0]}     | $.light.direction is [0, 0, 0], but must be three numbers from -1000000 to 1000000, one of them not 0
+            {"type": "sun", "direction": [0, -1, 0], "angularDiameter": 91} | $.light.angularDiameter is 91, but must be a number from 0 to 90 degrees
+            {"type": "sun", "direction": [0, -1, 0], "radius": 2} | $.light.radius is given, but a light of type "sun" has none
+            {"type": "moon", "direction": [0, -1, 0]}   | $.light.type is "moon", but must be one of "sphere", "sun"
+            {"direction": [0, -1, 0]}                   | $.light.direction goes with "type" only, which is not given here; allowed without it: position, radius, color, strength, share, lightGroup, name, group, hidden, locked
+            """)
+    void refusesLightsThatDoNotFitTheirType(String light, String message) {
+        assertThatThrownBy(() -> readNew("\"light\": " + light))
+                .isInstanceOf(SceneException.class)
+                .hasMessageContaining(message);
+    }
+
+    @Test
     void refusesALightWithoutSize() {
         refuses(
                 "\"lights\": [" + LAMP.formatted("").replace("0.5, \"color\"", "0, \"color\"") + "]",
@@ -93,6 +121,10 @@ class LightsTest {
                 .hasMessageContaining("$.lights needs \"version\": 3 at the top of the file");
     }
 
+    private Scene readNew(String lights) {
+        return read(lights, Scene.VERSION);
+    }
+
     private void refuses(String lights, String message) {
         assertThatThrownBy(() -> read(lights))
                 .isInstanceOf(SceneException.class)
@@ -100,7 +132,11 @@ class LightsTest {
     }
 
     private Scene read(String lights) {
-        String newest = SampleScene.with("\"version\": 1", "\"version\": 3")
+        return read(lights, 3);
+    }
+
+    private Scene read(String lights, int version) {
+        String newest = SampleScene.with("\"version\": 1", "\"version\": " + version)
                 .replace("\"name\": \"Sample\",\n", "")
                 .replace(ONE, lights);
         return SceneReader.read(SampleScene.put(folder, newest));

@@ -73,7 +73,16 @@ public final class Declined {
         kernelPaths = hits || !picture;
         frame = input.tracesPaths()
                 ? !picture && input.stageOrView() < Views.GUIDED
-                : !picture || hits || toneMap < Tone.CLAMP || toneMap > Tone.ACES;
+                : !picture || hits || hasSuns(input) || toneMap < Tone.CLAMP || toneMap > Tone.ACES;
+    }
+
+    /** Lanes aim at lights that have a place. */
+    private static boolean hasSuns(FrameInput input) {
+        boolean found = false;
+        for (int light = 0; light < input.lights() && !found; light++) {
+            found = input.isSun(input.light(light));
+        }
+        return found;
     }
 
     private static boolean isCameraOnASurface(FrameInput input) {
