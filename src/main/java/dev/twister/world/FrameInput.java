@@ -77,7 +77,10 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
 
     /** Whether the one light that the paper's formula has is not enough. */
     public boolean hasSeveralLights() {
-        return lights() > 1 || bodies.looks()[Layout.LOOK_SHARE] != 1;
+        float[] looks = bodies.looks();
+        return lights() > 1
+                || looks[Layout.LOOK_SHARE] != 1
+                || looks[Layout.LOOK_LIGHT] != Layout.SPHERE_LIGHT;
     }
 
     public int shadowSamples() {

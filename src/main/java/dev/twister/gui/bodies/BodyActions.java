@@ -17,6 +17,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.property.SceneLimits;
 import java.util.List;
 import java.util.Optional;
@@ -49,17 +50,11 @@ public final class BodyActions {
         });
     }
 
-    public void insertLight() {
+    public void insert(LightShape.Kind kind) {
         studio.pictureProperty().get().filter(_ -> hasRoomFor(1)).ifPresent(shown -> {
-            Light light = NewBodies.light(shown.input(), studio.bodies().scene(), shown.meshes());
-            studio.insert("insert light", List.of(), List.of(light));
+            Light light = NewBodies.light(shown.input(), studio.bodies().scene(), shown.meshes(), kind);
+            studio.insert("insert " + light.shape().name(), List.of(), List.of(light));
         });
-    }
-
-    public void insertSun() {
-        if (hasRoomFor(1)) {
-            studio.insert("insert sun", List.of(), List.of(NewBodies.SUN));
-        }
     }
 
     /** Adds copies of the selected bodies, to the right of them. */

@@ -68,10 +68,7 @@ public final class BodyTitles {
                     + BodyEdits.mesh(scene, body).geometry().name() + ")";
         }
         if (BodyEdits.isLight(scene, body)) {
-            String kind = switch (BodyEdits.light(scene, body).shape().kind()) {
-                case SPHERE -> "Light";
-                case SUN -> "Sun";
-            };
+            String kind = property(BodyEdits.light(scene, body).shape().name());
             return scene.lights().count() == 1 ? kind : kind + " " + (BodyNumber.light(body) + 1);
         }
         return switch (body) {

@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import dev.twister.scene.Vector3;
 import dev.twister.scene.property.Copied;
+import java.util.Locale;
 
 /**
  * What a light is, and where it shines.
@@ -32,6 +33,11 @@ public record LightShape(Kind kind, Vector3 direction, double angularDiameterDeg
     public LightShape {
         requireNonNull(kind, "kind");
         requireNonNull(direction, "direction");
+    }
+
+    /** Such as {@code sun}; a sphere is a light without more ado. */
+    public String name() {
+        return kind == Kind.SPHERE ? "light" : kind.name().toLowerCase(Locale.ROOT);
     }
 
     /** The unit vector toward what shines; straight up if the direction has no length. */
