@@ -13,6 +13,7 @@ import dev.twister.kernel.Refraction;
 import dev.twister.kernel.SeveralLights;
 import dev.twister.kernel.Shadow;
 import dev.twister.kernel.ShadowRay;
+import dev.twister.kernel.SpotEmitter;
 import dev.twister.scene.Vector3;
 import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
@@ -50,7 +51,8 @@ final class SurfaceRecorder {
         float[] frame = input.view().frame();
         Bodies bodies = input.bodies();
         float visible = Path.visible(
-                path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.variant(false));
+                        path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.variant(false))
+                * SpotEmitter.part(path, Layout.TO_LIGHT, input.light(light), bodies.looks());
         return new LightPart(
                 light,
                 Floats.vector(path, Layout.TO_LIGHT),

@@ -48,6 +48,7 @@ public final class Emitter {
                 }
                 if ((isTriangle | isSun) == 0) {
                     SphereEmitter.choose(path, body, first, second, bodies);
+                    SpotEmitter.dim(path, body, looks);
                     if ((variant & Variant.MAPS) != 0) {
                         EmissionMap.ofSphere(path, body, frame, bodies, looks, images);
                     }
@@ -112,8 +113,13 @@ public final class Emitter {
         return isTriangle;
     }
 
-    /** One channel of the radiance that the surface at {@link Layout#POINT} emits. */
+    /** One channel of the radiance that the surface at {@link Layout#POINT} emits against the path's ray. */
     public static float emission(float[] path, int body, int channel, float[] looks, int variant) {
+        return brightest(path, body, channel, looks, variant) * SpotEmitter.part(path, Layout.DIRECTION, body, looks);
+    }
+
+    /** As above, on a spot's axis. */
+    private static float brightest(float[] path, int body, int channel, float[] looks, int variant) {
         float emission = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + channel];
         if ((variant & Variant.MAPS) != 0) {
             emission = path[Layout.EMISSION + channel];
@@ -138,9 +144,9 @@ public final class Emitter {
      * @param path after {@link Surface#find} and {@link Surface#face}
      */
     public static int shines(float[] path, int body, float[] frame, float[] looks, int variant) {
-        float emission = emission(path, body, 0, looks, variant)
-                + emission(path, body, 1, looks, variant)
-                + emission(path, body, 2, looks, variant);
+        float emission = brightest(path, body, 0, looks, variant)
+                + brightest(path, body, 1, looks, variant)
+                + brightest(path, body, 2, looks, variant);
         int mesh = Surface.isMesh(body, frame, variant);
         float along = mesh != 0 ? Facet.directionDot(path, Layout.FACE) : path[Layout.FROM_INSIDE];
         int seen = (along <= 0f ? 1 : 0) | (mesh & isTwoSided(body, looks));

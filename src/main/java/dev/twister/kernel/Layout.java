@@ -217,10 +217,20 @@ public final class Layout {
      */
     public static final int SUN_LIGHT = 2;
 
+    /** A sphere that shines in a cone of directions ({@link SpotEmitter}). */
+    public static final int SPOT_LIGHT = 3;
+
     /** The reflectivity beside a metal, for path tracing. */
     public static final int LOOK_BESIDE_METAL = 20;
 
-    public static final int LOOK_STRIDE = 24;
+    /** A spot's axis: the unit vector in which it shines. */
+    public static final int LOOK_SPOT_AXIS = 23;
+
+    /** Factor and summand that make the cosine of the angle with the axis the root of the part that a spot shines. */
+    public static final int LOOK_SPOT_SCALE = 26;
+
+    public static final int LOOK_SPOT_OFFSET = 27;
+    public static final int LOOK_STRIDE = 28;
 
     /**
      * After the bodies' looks, from {@link #MAPS} on, a table of the materials with maps. A row has first the maps. A

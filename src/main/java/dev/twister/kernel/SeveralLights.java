@@ -48,6 +48,7 @@ public final class SeveralLights {
             if (shadowed != 0) {
                 visible = Path.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
             }
+            visible = visible * SpotEmitter.part(path, Layout.TO_LIGHT, light, looks);
             int look = Layout.LOOK_STRIDE * light;
             float part = part(path, light, visible, looks);
             sum = sum + part;

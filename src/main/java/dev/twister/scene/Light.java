@@ -62,7 +62,15 @@ public record Light(
 
     /** A white sun, whose other properties are the defaults. */
     public static Light sun(Vector3 direction, double angularDiameterDegrees) {
-        return DEFAULT.withShape(new LightShape(LightShape.Kind.SUN, direction, angularDiameterDegrees));
+        return DEFAULT.withShape(
+                LightShape.SUN.withDirection(direction).withAngularDiameterDegrees(angularDiameterDegrees));
+    }
+
+    /** A white spot, whose other properties are the defaults. */
+    public static Light spot(Vector3 position, double radius, Vector3 direction, double coneAngleDegrees) {
+        return DEFAULT.withPosition(position)
+                .withRadius(radius)
+                .withShape(LightShape.SPOT.withDirection(direction).withConeAngleDegrees(coneAngleDegrees));
     }
 
     /** Whether it is infinitely far away. */

@@ -83,6 +83,7 @@ public final class NewBodies {
         return switch (kind) {
             case SPHERE -> Light.of(place, LIGHT_RADIUS, new Rgb(1, 1, 1));
             case SUN -> SUN;
+            case SPOT -> Light.spot(place, LIGHT_RADIUS, new Vector3(0, -1, 0), 60);
         };
     }
 }

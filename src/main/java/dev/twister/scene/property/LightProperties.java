@@ -90,6 +90,27 @@ public final class LightProperties {
             .slide(linear(0, 10, 2, "°"))
             .within(Light::shape, Light::withShape);
 
+    private static final Property<Light, Double> CONE_ANGLE = decimal(
+                    "coneAngle",
+                    new Range(0.1, 180, "degrees"),
+                    LightShape::coneAngleDegrees,
+                    LightShape::withConeAngleDegrees)
+            .since(4)
+            .animated()
+            .means("between opposite sides of a spot's cone; twice glTF's `outerConeAngle`")
+            .row("Spot angle", "The angle between opposite sides of the spot's cone.", "")
+            .slide(linear(1, 180, 1, "°"))
+            .within(Light::shape, Light::withShape);
+
+    private static final Property<Light, Double> CONE_BLEND = decimal(
+                    "coneBlend", SceneLimits.SHARE, LightShape::coneBlend, LightShape::withConeBlend)
+            .since(4)
+            .animated()
+            .means("part of the cone over which a spot fades out; 1 - glTF's `innerConeAngle` / `outerConeAngle`")
+            .row("Spot blend", "How much of the cone, from its border inward, the light takes to fade out.", "")
+            .slide(linear(0, 1, 2, ""))
+            .within(Light::shape, Light::withShape);
+
     public static final List<Property<Light, ?>> ALL = List.of(
             TYPE,
             vector("position", SceneLimits.POSITION, Light::position, Light::withPosition)
@@ -101,6 +122,8 @@ public final class LightProperties {
             RADIUS,
             DIRECTION,
             ANGULAR_DIAMETER,
+            CONE_ANGLE,
+            CONE_BLEND,
             COLOR,
             STRENGTH,
             SHARE,
@@ -117,6 +140,7 @@ public final class LightProperties {
             case "position", "radius" -> kind != LightShape.Kind.SUN;
             case "direction" -> kind != LightShape.Kind.SPHERE;
             case "angularDiameter" -> kind == LightShape.Kind.SUN;
+            case "coneAngle", "coneBlend" -> kind == LightShape.Kind.SPOT;
             default -> true;
         };
     }

@@ -124,10 +124,19 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
                 double area = 4 * Math.PI * bodies.size(body) * bodies.size(body);
                 looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER] = 1 + emitters.size();
                 double[] center = {bodies.center(body, 0), bodies.center(body, 1), bodies.center(body, 2)};
+                int look = Layout.LOOK_STRIDE * body;
+                boolean isSpot = looks[look + Layout.LOOK_LIGHT] == Layout.SPOT_LIGHT;
+                double[] axis = isSpot ? axis(looks, look) : TO_ALL;
                 emitters.add(new Emitter(
-                        body, -1, -1, area, new EmitterTree.Part(center, bodies.size(body), radiance * area, TO_ALL)));
+                        body, -1, -1, area, new EmitterTree.Part(center, bodies.size(body), radiance * area, axis)));
             }
         }
+    }
+
+    private static double[] axis(float[] looks, int look) {
+        double[] axis = new double[3];
+        Arrays.setAll(axis, i -> looks[look + Layout.LOOK_SPOT_AXIS + i]);
+        return axis;
     }
 
     /** The suns, whose power is the irradiance. */

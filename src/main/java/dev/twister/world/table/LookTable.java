@@ -6,6 +6,8 @@ import dev.twister.scene.Ground;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.light.Lights;
 import dev.twister.scene.material.Emission;
 import dev.twister.world.SceneImages;
@@ -18,6 +20,9 @@ import java.util.List;
 public final class LookTable {
     /** Lower bound of a color whose logarithm is taken. */
     private static final double DARKEST = 1e-9;
+
+    /** Least difference of the cosines between which a spot fades out, as glTF has it. */
+    private static final double LEAST_BLEND = 0.001;
 
     private float[] looks = {};
     private int materials;
@@ -75,8 +80,24 @@ public final class LookTable {
             int look = Layout.LOOK_STRIDE * numbers.light(index);
             putColor(materials, look, lights.get(index).color());
             materials[look + Layout.LOOK_SHARE] = (float) lights.get(index).share();
-            materials[look + Layout.LOOK_LIGHT] = lights.get(index).isSun() ? Layout.SUN_LIGHT : Layout.SPHERE_LIGHT;
+            LightShape shape = lights.get(index).shape();
+            materials[look + Layout.LOOK_LIGHT] = switch (shape.kind()) {
+                case SPHERE -> Layout.SPHERE_LIGHT;
+                case SUN -> Layout.SUN_LIGHT;
+                case SPOT -> Layout.SPOT_LIGHT;
+            };
+            putSpot(materials, look, shape);
         }
+    }
+
+    private static void putSpot(float[] looks, int look, LightShape shape) {
+        Vector3 axis = shape.toward().times(-1);
+        looks[look + Layout.LOOK_SPOT_AXIS] = (float) axis.x();
+        looks[look + Layout.LOOK_SPOT_AXIS + 1] = (float) axis.y();
+        looks[look + Layout.LOOK_SPOT_AXIS + 2] = (float) axis.z();
+        double scale = 1 / Math.max(LEAST_BLEND, shape.innerCosine() - shape.outerCosine());
+        looks[look + Layout.LOOK_SPOT_SCALE] = (float) scale;
+        looks[look + Layout.LOOK_SPOT_OFFSET] = (float) (-shape.outerCosine() * scale);
     }
 
     private void replace(float[] changed) {

@@ -8,6 +8,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.light.Lights;
 import java.nio.file.Path;
 import java.util.List;
@@ -91,13 +92,27 @@ class LightsTest {
         assertThat(SceneWriter.text(scene)).contains("\"version\": 4", sun);
     }
 
+    @Test
+    void readsASpotAndWritesItAsItWas() {
+        String spot = "\"light\": {\"type\": \"spot\", \"position\": [1, 2, 3], \"direction\": [0, -1, 0],"
+                + " \"coneAngle\": 60, \"coneBlend\": 0.5}";
+        Scene scene = readNew(spot);
+
+        assertThat(scene.lights().first().shape())
+                .isEqualTo(LightShape.SPOT.withConeAngleDegrees(60).withConeBlend(0.5));
+        assertThat(SceneWriter.text(scene)).contains(spot);
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            {"type": "spot", "direction": [0, -1, 0], "coneAngle": 181} | $.light.coneAngle is 181, but must be a number from 0.1 to 180 degrees
+            {"type": "spot", "direction": [0, -1, 0], "angularDiameter": 1} | $.light.angularDiameter is given, but a light of type "spot" has none
+            {"type": "spot"}                            | $.light.type is "spot", which needs "direction": where it shines
             {"type": "sun"}                             | $.light.type is "sun", which needs "direction": where it shines, three numbers from -1000000 to 1000000, one of them not 0
             {"type": "sun", "direction": [0, 0, 0]}     | $.light.direction is [0, 0, 0], but must be three numbers from -1000000 to 1000000, one of them not 0
             {"type": "sun", "direction": [0, -1, 0], "angularDiameter": 91} | $.light.angularDiameter is 91, but must be a number from 0 to 90 degrees
             {"type": "sun", "direction": [0, -1, 0], "radius": 2} | $.light.radius is given, but a light of type "sun" has none
-            {"type": "moon", "direction": [0, -1, 0]}   | $.light.type is "moon", but must be one of "sphere", "sun"
+            {"type": "moon", "direction": [0, -1, 0]}   | $.light.type is "moon", but must be one of "sphere", "sun", "spot"
             {"direction": [0, -1, 0]}                   | $.light.direction goes with "type" only, which is not given here; allowed without it: position, radius, color, strength, share, lightGroup, name, group, hidden, locked
             """)
     void refusesLightsThatDoNotFitTheirType(String light, String message) {
