@@ -295,6 +295,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.INSERT_MESH, files.assets()::insertMesh)
                 .on(Command.INSERT_LIGHT, () -> bodies.insert(LightShape.Kind.SPHERE))
                 .on(Command.INSERT_SUN, () -> bodies.insert(LightShape.Kind.SUN))
+                .on(Command.INSERT_SPOT, () -> bodies.insert(LightShape.Kind.SPOT))
                 .on(Command.DUPLICATE, bodies::duplicate)
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)

@@ -78,11 +78,6 @@ public record Light(
         return shape.kind() == LightShape.Kind.SUN;
     }
 
-    /** Whether it shines in one direction more than in others. */
-    public boolean isAimed() {
-        return shape.kind() != LightShape.Kind.SPHERE;
-    }
-
     public Light withStrength(double newStrength) {
         return withStrength(Optional.of(newStrength));
     }

@@ -11,6 +11,7 @@ import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.StageOrView;
@@ -72,6 +73,18 @@ final class OracleTracer {
 
         double share() {
             return light.share();
+        }
+
+        /** The part of the light of glTF's spots that goes against a direction. */
+        double part(Vector toLight) {
+            LightShape shape = light.shape();
+            if (shape.kind() != LightShape.Kind.SPOT) {
+                return 1;
+            }
+            double outer = Math.cos(Math.toRadians(shape.coneAngleDegrees() / 2));
+            double inner = Math.cos(Math.toRadians(shape.coneAngleDegrees() / 2 * (1 - shape.coneBlend())));
+            double cosine = toLight.dot(vector(shape.toward()));
+            return Math.pow(Math.clamp((cosine - outer) / Math.max(0.001, inner - outer), 0, 1), 2);
         }
     }
 
@@ -253,6 +266,7 @@ final class OracleTracer {
             SphereBody light = lamp.seenFrom(place.point());
             Vector toLight = light.center().minus(place.point()).normalized();
             double visible = shadowed ? shadow.visible(light, place.point(), place.body(), place.ray()) : 1;
+            visible *= lamp.part(toLight);
             sum += lamp.share() * Math.max(0, place.normal().dot(toLight)) * visible;
             highlight = highlight.plus(light.material().color().times(highlight(place, toLight, visible)));
         }

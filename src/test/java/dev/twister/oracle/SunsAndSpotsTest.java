@@ -21,7 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What suns light, by formula. */
+/** What suns and spots light, by formula. */
 class SunsAndSpotsTest {
     private static final int SIDE = 8;
     private static final Rgb WHITE = new Rgb(1, 1, 1);
@@ -67,6 +67,33 @@ class SunsAndSpotsTest {
         assertThat(means[0]).isCloseTo(1 + 0.5 + 0.5, within(0.003 * 2));
     }
 
+    /** A spot's light over the squared distance falls off by the angle with its axis as glTF has it. */
+    @ParameterizedTest
+    @CsvSource({
+        "60, 0.5, 0",
+        "60, 0.5, 10",
+        "60, 0.5, 20",
+        "60, 0.5, 25",
+        "60, 0.5, 31",
+        "60, 0, 29",
+        "180, 1, 45",
+        "20, 0.2, 9"
+    })
+    void spotsFallOffAsInGltf(double coneAngle, double coneBlend, double degrees) {
+        Light spot = Light.spot(new Vector3(0, 10, 0), 0.01, slanted(degrees), coneAngle);
+        Light light = spot.withShape(spot.shape().withConeBlend(coneBlend)).withStrength(300.0);
+        double outer = Math.cos(Math.toRadians(coneAngle / 2));
+        double inner = Math.cos(Math.toRadians(coneAngle / 2 * (1 - coneBlend)));
+        double cosine = Math.cos(Math.toRadians(degrees));
+        double expected = Math.pow(Math.clamp((cosine - outer) / Math.max(0.001, inner - outer), 0, 1), 2);
+
+        double[] traced = means(floor(Integrator.PATH, List.of(light)), 16);
+        double[] shaded = means(floor(Integrator.WHITTED, List.of(light)), 1);
+
+        assertThat(traced[0]).isCloseTo(3 * expected, within(0.003 * 3 * expected));
+        assertThat(shaded[0]).isCloseTo(expected, within(0.003 * expected));
+    }
+
     private static Vector3 slanted(double degreesFromZenith) {
         double angle = Math.toRadians(degreesFromZenith);
         return new Vector3(7 * Math.sin(angle), -7 * Math.cos(angle), 0);
@@ -75,7 +102,7 @@ class SunsAndSpotsTest {
     /** A white floor at night, of which the camera sees a small part about the origin. */
     private static LitScene floor(Integrator integrator, List<Light> lights) {
         Scene scene = Scene.under(Path.of("none.hdr"))
-                .withCamera(Camera.of(new Vector3(0, 5, -0.5), 0, 84.29, 1))
+                .withCamera(Camera.of(new Vector3(0, 5, -0.5), 0, 84.29, 0.1))
                 .withGround(Ground.of(50, 0, WHITE, WHITE, 0))
                 .withLights(new Lights(lights))
                 .withShading(new Shading(0))

@@ -98,9 +98,7 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
                 Light light = BodyEdits.light(rotated, body);
                 Vector3 aimed = turned(direction, axis, degrees).map(BodyTransform::rounded);
                 rotated = BodyEdits.withLight(
-                        rotated,
-                        body,
-                        light.isAimed() ? light.withShape(light.shape().withDirection(aimed)) : light);
+                        rotated, body, light.withShape(light.shape().withDirection(aimed)));
             }
         }
         return rotated;
