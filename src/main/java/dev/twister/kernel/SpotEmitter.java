@@ -1,9 +1,9 @@
 package dev.twister.kernel;
 
 /**
- * A spot: a sphere whose radiance fades out toward the border of a cone of directions, as in glTF's KHR_lights_punctual:
- * {@code clamp(cos * scale + offset, 0, 1)^2} of the angle with the spot's axis. Its directions are chosen as those of a
- * {@link SphereEmitter}.
+ * A spot: a sphere whose radiance fades out toward the border of a cone of directions, as in glTF's
+ * KHR_lights_punctual: {@code clamp(cos * scale + offset, 0, 1)^2} of the angle with the spot's axis. Its directions
+ * are chosen as those of a {@link SphereEmitter}.
  */
 public final class SpotEmitter {
     private SpotEmitter() {}

@@ -122,9 +122,7 @@ public final class MeshStage {
                 .withMeshes(List.of(mesh));
     }
 
-    /**
-     * The lights of a file, which have no size: near ones as small balls around its mesh.
-     */
+    /** The lights of a file, which have no size: near ones as small balls around its mesh. */
     private static final class StageLights {
         /** Radius of a near light, as a part of the mesh's. */
         private static final double SMALL = 0.002;

@@ -78,9 +78,7 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
     /** Whether the one light that the paper's formula has is not enough. */
     public boolean hasSeveralLights() {
         float[] looks = bodies.looks();
-        return lights() > 1
-                || looks[Layout.LOOK_SHARE] != 1
-                || looks[Layout.LOOK_LIGHT] != Layout.SPHERE_LIGHT;
+        return lights() > 1 || looks[Layout.LOOK_SHARE] != 1 || looks[Layout.LOOK_LIGHT] != Layout.SPHERE_LIGHT;
     }
 
     public int shadowSamples() {

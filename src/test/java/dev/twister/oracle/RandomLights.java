@@ -36,7 +36,7 @@ public final class RandomLights {
     }
 
     /** The scene with a spot as its first light, another one, and a sphere. */
-    static LitScene ofSpots(LitScene lit, Random random) {
+    public static LitScene ofSpots(LitScene lit, Random random) {
         Scene scene = lit.scene();
         Light sphere = scene.lights().first();
         List<Light> lights = List.of(spot(random), spot(random), sphere);
@@ -59,7 +59,7 @@ public final class RandomLights {
     }
 
     /** The scene with a sun as its first light, another one and a sphere. */
-    static LitScene ofSuns(LitScene lit, Random random) {
+    public static LitScene ofSuns(LitScene lit, Random random) {
         Scene scene = lit.scene();
         List<Light> lights = new ArrayList<>();
         lights.add(sun(random, 0));

@@ -176,7 +176,8 @@ class GltfSurroundingsTest {
 
     @Test
     void spotWithoutAnglesHasThoseOfTheFormat() throws IOException {
-        LightShape shape = lights("\"type\": \"spot\"", "\"name\": \"lamp\"").getFirst().shape();
+        LightShape shape =
+                lights("\"type\": \"spot\"", "\"name\": \"lamp\"").getFirst().shape();
 
         assertThat(shape.coneAngleDegrees()).isCloseTo(90, within(1e-9));
         assertThat(shape.coneBlend()).isEqualTo(1);
