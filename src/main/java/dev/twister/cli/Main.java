@@ -1,7 +1,6 @@
 package dev.twister.cli;
 
 import dev.twister.bench.benchmark.EngineFailure;
-import dev.twister.bench.benchmark.Jit;
 import dev.twister.cli.command.Failures;
 import dev.twister.cli.command.TwisterCommand;
 import dev.twister.cli.file.CommonOptions;
@@ -10,11 +9,6 @@ import dev.twister.cli.file.PathConverter;
 import dev.twister.cli.option.ChoiceConverter;
 import dev.twister.files.PrintableText;
 import dev.twister.files.TwisterVersion;
-import dev.twister.mesh.MeshPose;
-import dev.twister.render.Background;
-import dev.twister.scene.Integrator;
-import dev.twister.scene.ToneMap;
-import dev.twister.sky.ShippedSky;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
@@ -53,27 +47,28 @@ public final class Main {
 
     /** Runs one command line and returns the exit code; never throws, and never ends the process. */
     public static int run(PrintWriter out, PrintWriter err, String... arguments) {
-        CommandLine commandLine = new CommandLine(new TwisterCommand(Main::run))
-                .setOut(out)
-                .setErr(printable(err))
-                .setExpandAtFiles(false)
-                .registerConverter(Path.class, new PathConverter())
-                .registerConverter(Jit.class, new ChoiceConverter<>(Jit.class))
-                .registerConverter(Integrator.class, new ChoiceConverter<>(Integrator.class))
-                .registerConverter(ToneMap.class, new ChoiceConverter<>(ToneMap.class))
-                .registerConverter(Background.class, new ChoiceConverter<>(Background.class))
-                .registerConverter(MeshPose.Up.class, new ChoiceConverter<>(MeshPose.Up.class))
-                .registerConverter(ShippedSky.class, new ChoiceConverter<>(ShippedSky.class))
-                .setUsageHelpWidth(HELP_WIDTH)
-                .setExecutionStrategy(parsed -> execute(parsed, out))
-                .setParameterExceptionHandler(Failures::explainParameter)
-                .setExecutionExceptionHandler(Failures::explain);
+        CommandLine commandLine = commandLine(out, err);
         try {
             return commandLine.execute(arguments);
         } catch (OutOfMemoryError _) {
             err.println("twister: " + EngineFailure.outOfMemory());
             return ExitCode.BAD_INPUT;
         }
+    }
+
+    /** All commands. */
+    static CommandLine commandLine(PrintWriter out, PrintWriter err) {
+        CommandLine commandLine = new CommandLine(new TwisterCommand(Main::run))
+                .setOut(out)
+                .setErr(printable(err))
+                .setExpandAtFiles(false)
+                .registerConverter(Path.class, new PathConverter())
+                .setUsageHelpWidth(HELP_WIDTH)
+                .setExecutionStrategy(parsed -> execute(parsed, out))
+                .setParameterExceptionHandler(Failures::explainParameter)
+                .setExecutionExceptionHandler(Failures::explain);
+        commandLine.getSubcommands().values().forEach(command -> ChoiceConverter.applyTo(command.getCommandSpec()));
+        return commandLine;
     }
 
     // Help holds nothing of the user's, but the colors of terminals.

@@ -128,7 +128,7 @@ final class Workbench implements AutoCloseable {
         bindEdit(actions);
         bindView(actions);
         bindMotion(actions);
-        actions.on(Command.RESET, () -> Panel.resetAll(studio, engines, usualEngine));
+        actions.on(Command.RESET, () -> Panel.resetAll(studio, tasks, engines, usualEngine));
         menu = new MenuView(studio, settings(), files.files(), actions, bodies::insert);
         menu.explainKeys(root.getScene(), studio);
         files.pictures().recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));

@@ -21,93 +21,102 @@ public final class Layout {
     /** Distance of the plane in focus, in meters. */
     public static final int CAMERA_FOCUS = 14;
 
-    public static final int CAMERA_LENGTH = 15;
+    /** The projection's number in {@link CameraRay}. */
+    public static final int CAMERA_PROJECTION = 15;
 
-    public static final int SHADOW_SAMPLES = 15;
-    public static final int BOUNCES = 16;
-    public static final int PIXEL_SAMPLES = 17;
+    /** For the orthographic projection: meters that the picture's height shows. */
+    public static final int CAMERA_VIEW_HEIGHT = 16;
+
+    /** For the fisheye projection: half the angle over the shorter side, in turns. */
+    public static final int CAMERA_HALF_FIELD = 17;
+
+    public static final int CAMERA_LENGTH = 18;
+
+    public static final int SHADOW_SAMPLES = 18;
+    public static final int BOUNCES = 19;
+    public static final int PIXEL_SAMPLES = 20;
 
     /** 2^exposure. */
-    public static final int EXPOSURE_SCALE = 18;
+    public static final int EXPOSURE_SCALE = 21;
 
     /** A tone map's number in {@link Tone}. */
-    public static final int TONE_MAP = 19;
+    public static final int TONE_MAP = 22;
 
     /** 1 if the sRGB transfer function follows the tone map, else 0. */
-    public static final int SRGB = 20;
+    public static final int SRGB = 23;
 
-    public static final int AMBIENT = 21;
+    public static final int AMBIENT = 24;
 
     /** The plane's second color (three floats); its first is the body's own. */
-    public static final int PLANE_ODD_COLOR = 22;
+    public static final int PLANE_ODD_COLOR = 25;
 
     /** Rotation of the panorama to the right, in turns, in [0, 1). */
-    public static final int SKY_TURN = 25;
+    public static final int SKY_TURN = 28;
 
     /** Factor for the panorama's radiance, at least 0. */
-    public static final int SKY_STRENGTH = 26;
+    public static final int SKY_STRENGTH = 29;
 
     /** The panorama's width and height in texels. */
-    public static final int SKY_WIDTH = 27;
+    public static final int SKY_WIDTH = 30;
 
-    public static final int SKY_HEIGHT = 28;
+    public static final int SKY_HEIGHT = 31;
 
     /** Width and height of the whole picture in pixels, and the range of rows to render. */
-    public static final int WIDTH = 29;
+    public static final int WIDTH = 32;
 
-    public static final int HEIGHT = 30;
-    public static final int FIRST_ROW = 31;
-    public static final int ROWS = 32;
+    public static final int HEIGHT = 33;
+    public static final int FIRST_ROW = 34;
+    public static final int ROWS = 35;
 
     /** Number of present bodies without meshes: the first light, the plane and the spheres. */
-    public static final int BODIES = 33;
+    public static final int BODIES = 36;
 
     /**
      * The first mesh's body; it is 0 if there are no meshes. Meshes are numbered after all spheres: those not poured
      * yet, and the lights after the first, come between them.
      */
-    public static final int FIRST_MESH = 34;
+    public static final int FIRST_MESH = 37;
 
     /** Place in {@code bodies} of the root over all spheres. */
-    public static final int ROOT = 35;
+    public static final int ROOT = 38;
 
     /** Place of the meshes' hierarchy in {@code bodies}. */
-    public static final int INSTANCES = 36;
+    public static final int INSTANCES = 39;
 
     /** Place of the maps' table in {@code looks}. */
-    public static final int MAPS = 37;
+    public static final int MAPS = 40;
 
     /** For path tracing: limit of the luminance of what reaches the eye over several surfaces; 0 for none. */
-    public static final int CLAMP = 38;
+    public static final int CLAMP = 41;
 
     /** Place of the table of emitters in {@code looks}, their number, and the sky's, from 1 on, or 0. */
-    public static final int EMITTER_TABLE = 39;
+    public static final int EMITTER_TABLE = 42;
 
-    public static final int EMITTERS = 40;
-    public static final int SKY_EMITTER = 41;
+    public static final int EMITTERS = 43;
+    public static final int SKY_EMITTER = 44;
 
     /** Place of the sky's table of probabilities in {@code images}, divided by {@value #ALIGNMENT}. */
-    public static final int SKY_TABLE = 42;
+    public static final int SKY_TABLE = 45;
 
     /** Number of lights, and place in {@code looks} of the table of their bodies. */
-    public static final int LIGHTS = 43;
+    public static final int LIGHTS = 46;
 
-    public static final int LIGHT_TABLE = 44;
+    public static final int LIGHT_TABLE = 47;
 
     /** Place in {@code bodies} of the root over the spheres that cast shadows, which lights do not. */
-    public static final int SHADOW_ROOT = 45;
+    public static final int SHADOW_ROOT = 48;
 
     /** Place in {@code looks} of the tree over the emitters but suns and sky ({@link LightTree}); 0 without one. */
-    public static final int LIGHT_TREE = 46;
+    public static final int LIGHT_TREE = 49;
 
     /** Number of the first of the pixel's samples in the infinite sequence. */
-    public static final int FIRST_SAMPLE = 47;
+    public static final int FIRST_SAMPLE = 50;
 
     /**
      * Place in {@code frame} of the tiles to render: for each square of {@value #TILE_SIDE} x {@value #TILE_SIDE}
      * pixels of the rows, from the top left, 1 if it is to be rendered, else 0. 0 if all are.
      */
-    public static final int TILES = 48;
+    public static final int TILES = 51;
 
     public static final int TILE_SIDE = 16;
 
@@ -115,25 +124,25 @@ public final class Layout {
     public static final int MOST_TILES = 4096;
 
     /** With {@link LightLayers}: their number, and the place of the bodies' groups in {@code looks}. */
-    public static final int LIGHT_LAYERS = 49;
+    public static final int LIGHT_LAYERS = 52;
 
-    public static final int LIGHT_GROUPS = 50;
+    public static final int LIGHT_GROUPS = 53;
 
     /** The body that the camera is in, and the one around that ({@link Medium}); {@link #NOTHING} for none. */
-    public static final int CAMERA_MEDIUM = 51;
+    public static final int CAMERA_MEDIUM = 54;
 
-    public static final int CAMERA_OUTER_MEDIUM = 52;
+    public static final int CAMERA_OUTER_MEDIUM = 55;
 
     /** Number of suns, whose emitters are the last ones but the sky's. */
-    public static final int SUNS = 53;
+    public static final int SUNS = 56;
 
     /** Place of the pixel's samples in {@code frame}. */
-    public static final int SAMPLES = 54;
+    public static final int SAMPLES = 57;
 
     /**
      * The points of the unit sunflower, x and y of each shadow sample; then, at {@link #SAMPLES}, the pixel's samples.
      */
-    public static final int DISC = 55;
+    public static final int DISC = 58;
 
     /**
      * A sample of the pixel, {@value #SAMPLE_STRIDE} floats: its position in the pixel, x and y in (0, 1); then pairs
@@ -223,13 +232,16 @@ public final class Layout {
     /** The reflectivity beside a metal, for path tracing. */
     public static final int LOOK_BESIDE_METAL = 20;
 
+    /** What is missing of the dielectric reflectance in path tracing, in [0, 1]. */
+    public static final int LOOK_SPECULAR_LOSS = 21;
+
     /** A spot's axis: the unit vector in which it shines. */
-    public static final int LOOK_SPOT_AXIS = 23;
+    public static final int LOOK_SPOT_AXIS = 22;
 
     /** Factor and summand that make the cosine of the angle with the axis the root of the part that a spot shines. */
-    public static final int LOOK_SPOT_SCALE = 26;
+    public static final int LOOK_SPOT_SCALE = 25;
 
-    public static final int LOOK_SPOT_OFFSET = 27;
+    public static final int LOOK_SPOT_OFFSET = 26;
     public static final int LOOK_STRIDE = 28;
 
     /**
@@ -661,7 +673,10 @@ public final class Layout {
     /** With a tree of emitters: the normal of the surface that has chosen; 0 if light comes from both sides. */
     public static final int LIT_NORMAL = 127;
 
-    public static final int TRACED_PATH_LENGTH = 130;
+    /** {@link #LOOK_SPECULAR_LOSS} of the surface. */
+    public static final int SPECULAR_LOSS = 130;
+
+    public static final int TRACED_PATH_LENGTH = 131;
 
     /** With {@link Guides}: the sums over the pixel's samples. */
     public static final int GUIDE_ALBEDO = TRACED_PATH_LENGTH;

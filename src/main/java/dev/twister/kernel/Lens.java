@@ -5,8 +5,8 @@ public final class Lens {
     private Lens() {}
 
     /**
-     * Moves the origin of a pinhole camera's view ray to the sample's point on the lens, and turns the ray toward the
-     * pinhole ray's intersection with the plane in focus.
+     * Moves the origin of a view ray to the sample's point on the lens about it, and turns the ray toward the
+     * intersection of what was the ray with the plane in focus.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      */
@@ -23,7 +23,7 @@ public final class Lens {
         for (int axis = 0; axis < 3; axis++) {
             float away = right * frame[Layout.CAMERA_RIGHT + axis] + up * frame[Layout.CAMERA_UP + axis];
             float direction = distance * path[Layout.DIRECTION + axis] - away;
-            path[Layout.ORIGIN + axis] = frame[Layout.CAMERA_POSITION + axis] + away;
+            path[Layout.ORIGIN + axis] = path[Layout.ORIGIN + axis] + away;
             path[Layout.DIRECTION + axis] = direction;
             lengthSquared = lengthSquared + direction * direction;
         }

@@ -88,7 +88,9 @@ public final class Lobes {
     private static float fresnel(float[] path, float cosine) {
         float fresnel = 0f;
         if (path[Layout.PART_COAT] > 0f) {
-            fresnel = Refraction.reflectance(cosine, path[Layout.RATIO]);
+            float whole = Refraction.reflectance(cosine, path[Layout.RATIO]);
+            // Total internal reflection loses nothing.
+            fresnel = whole < 1f ? whole * (1f - path[Layout.SPECULAR_LOSS]) : whole;
         }
         return fresnel;
     }

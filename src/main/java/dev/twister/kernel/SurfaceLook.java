@@ -39,6 +39,9 @@ public final class SurfaceLook {
             int beside = (fresnel < 0f ? 1 : 0) & ((variant & (Variant.PATH | Variant.MAPS)) != 0 ? 1 : 0);
             path[Layout.REFLECTIVITY] =
                     beside != 0 ? looks[look + Layout.LOOK_BESIDE_METAL] : path[Layout.REFLECTIVITY];
+            if ((variant & Variant.PATH) != 0) {
+                path[Layout.SPECULAR_LOSS] = looks[look + Layout.LOOK_SPECULAR_LOSS];
+            }
             if ((variant & Variant.MAPS) == 0) {
                 multiplyByTexture(path, body, frame, looks, images, variant);
             }

@@ -30,15 +30,15 @@ public record FileSurroundings(List<FileLight> lights, List<FileCamera> cameras)
     /**
      * A camera of a file.
      *
-     * @param fieldOfViewDegrees the angle over the shorter side of the picture
+     * @param lens its projection, and how much it sees
      * @param position in meters
      * @param direction unit vector in which it looks
      */
-    public record FileCamera(String name, double fieldOfViewDegrees, Vector3 position, Vector3 direction) {
+    public record FileCamera(String name, Camera lens, Vector3 position, Vector3 direction) {
         FileCamera placed(Affine placement) {
             return new FileCamera(
                     name,
-                    fieldOfViewDegrees,
+                    lens,
                     placement.point(position),
                     placement.direction(direction).normalized());
         }
@@ -47,7 +47,8 @@ public record FileSurroundings(List<FileLight> lights, List<FileCamera> cameras)
         CameraView view() {
             double yaw = Math.toDegrees(Math.atan2(direction.x(), direction.z()));
             double pitch = Math.toDegrees(Math.asin(Math.clamp(-direction.y(), -1, 1)));
-            return new CameraView(name, Camera.of(position, yaw, pitch, fieldOfViewDegrees));
+            return new CameraView(
+                    name, lens.withPosition(position).withYawDegrees(yaw).withPitchDegrees(pitch));
         }
     }
 

@@ -8,6 +8,7 @@ import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.MeshAnimation;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -41,6 +42,11 @@ public final class MeshStage {
 
     /** Factor for the distance at which the mesh's bounding sphere just fits into the picture. */
     private static final double ROOM = 1.05;
+
+    /** How many times of an animation its bounds are of. */
+    private static final double POSES_PER_SECOND = 20;
+
+    private static final double MOST_POSES = 60;
 
     private static final Rgb BRIGHT = new Rgb(0.8, 0.8, 0.8);
     private static final Rgb DARK = new Rgb(0.35, 0.35, 0.35);
@@ -84,13 +90,13 @@ public final class MeshStage {
      * @param source the mesh file
      * @param held its content
      * @param skybox the panorama's file
-     * @param pose how the mesh stands
+     * @param pose how the mesh stands, and which of its animations it plays
      * @throws MeshException if the mesh cannot be scaled so far
      */
     public static Scene of(Geometry.OfFile source, MeshFile held, Path skybox, MeshPose pose) {
         Path file = source.path();
-        Mesh turned = Mesh.of(source).withRotation(pose.rotation(file));
-        Box bounds = held.bounds(MeshPlacement.of(turned));
+        Mesh turned = Mesh.of(source).withRotation(pose.rotation(file)).withAnimation(pose.animation(file, held));
+        Box bounds = bounds(turned, held);
         Vector3 half = bounds.half();
         double largest = 2 * Math.max(half.x(), Math.max(half.y(), half.z()));
         double scale = LARGEST_SIDE / largest;
@@ -120,6 +126,23 @@ public final class MeshStage {
                 .withRendering(Rendering.DEFAULT.withShadowSamples(SHADOW_SAMPLES))
                 .withGround(Ground.of(PLANE_SIZE, PLANE_HEIGHT, BRIGHT, DARK, 0))
                 .withMeshes(List.of(mesh));
+    }
+
+    /** The box around all that the mesh is in its animation. */
+    private static Box bounds(Mesh mesh, MeshFile held) {
+        Affine placement = MeshPlacement.of(mesh);
+        double seconds = held.clipSeconds(mesh.animation());
+        if (seconds == 0) {
+            return held.posed(mesh.animation()).bounds(placement);
+        }
+        int poses = (int) Math.clamp(seconds * POSES_PER_SECOND, 1, MOST_POSES);
+        Box bounds = Box.NONE;
+        for (int pose = 0; pose <= poses; pose++) {
+            MeshAnimation now = mesh.animation().withLoop(false).withStart(seconds * pose / poses);
+            Box box = held.posed(now).bounds(placement);
+            bounds = bounds.with(box.least()).with(box.largest());
+        }
+        return bounds;
     }
 
     /** The lights of a file, which have no size: near ones as small balls around its mesh. */

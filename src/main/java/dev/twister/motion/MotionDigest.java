@@ -6,6 +6,7 @@ import dev.twister.scene.Geometry;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.MeshAnimation;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -64,8 +65,9 @@ final class MotionDigest {
                 add(light.radius());
             }
             case Mesh mesh when mesh.smoothDegrees() != 0 -> add(mesh.withSmoothDegrees(0));
-            // Digests of scenes with files alone stay the same.
+            // Digests of scenes with files at rest alone stay the same.
             case Geometry.OfFile(Path path, String chosen) when chosen.isEmpty() -> add(path);
+            case MeshAnimation animation when animation.isNone() -> {}
             case Record record -> {
                 addText(record.getClass().getSimpleName());
                 parts.of(record).forEach(this::add);

@@ -5,7 +5,6 @@ import dev.twister.engine.ConvergingPicture.Converged;
 import dev.twister.engine.ConvergingPicture.Convergence;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
-import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -23,18 +22,13 @@ public record Sampling(int samples, Optional<Double> noise) {
     /** Limit with a noise bound if no other is given. */
     public static final int USUAL_LIMIT = 4096;
 
-    /** The largest number of samples per pixel. */
-    public static final int MOST = 65536;
-
     /** In one call of an engine. */
-    public int atOnce() {
-        return Math.min(samples, Rendering.MAX_SAMPLES_PER_PIXEL);
-    }
+    private static final int MOST_AT_ONCE = 1024;
 
     /**
      * Renders a band.
      *
-     * @param input with {@link #atOnce} samples per pixel, unless there is a noise bound
+     * @param input with as many samples per pixel, unless {@link #isGradual}
      * @param watcher called after each pass of samples
      * @return the number of samples of each tile and the noise, which is 0 if it was not estimated
      */
@@ -48,7 +42,7 @@ public record Sampling(int samples, Optional<Double> noise) {
 
     /** Whether samples are rendered in passes. */
     boolean isGradual() {
-        return noise.isPresent() || samples > atOnce();
+        return noise.isPresent() || samples > MOST_AT_ONCE;
     }
 
     /** Text for metadata of files. */

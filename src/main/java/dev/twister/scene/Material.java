@@ -24,6 +24,7 @@ import java.util.Set;
  *     material is otherwise
  * @param transmission t in [0, 1]: how much of the light that is not mirrored passes the surface
  * @param ior index of refraction against what is around the body, in [1, 4]
+ * @param specular factor of what it reflects by its index of refraction, in [0, 1], in path tracing
  * @param texture a picture that the color is multiplied by, already resolved against the scene file's folder
  * @param emission light that it emits
  * @param attenuation what light loses inside
@@ -40,6 +41,7 @@ public record Material(
         double metallic,
         double transmission,
         double ior,
+        double specular,
         Optional<Path> texture,
         Emission emission,
         Attenuation attenuation,
@@ -59,6 +61,7 @@ public record Material(
             0,
             0,
             1.5,
+            1,
             Optional.empty(),
             Emission.NONE,
             Attenuation.NONE,

@@ -15,6 +15,7 @@ import java.util.Optional;
  * @param scale meters per unit of the file, above 0; a factor of a shape's size
  * @param smoothDegrees where a file has no normals: triangles whose planes meet at no larger angle are shaded as one
  *     smooth surface, in [0, 180]; 0 leaves every triangle flat
+ * @param animation of the file, which moves it in a film
  * @param material what it is made of, in place of what the file says
  */
 @Copied
@@ -24,17 +25,26 @@ public record Mesh(
         Rotation rotation,
         double scale,
         double smoothDegrees,
+        MeshAnimation animation,
         Optional<Material> material,
         Tag tag)
         implements Body, MeshCopy.With {
     /** As its file has it; has the values of the fields that a scene file leaves out. */
-    public static final Mesh DEFAULT =
-            new Mesh(new Geometry.OfFile(Path.of("")), Vector3.ZERO, Rotation.NONE, 1, 0, Optional.empty(), Tag.NONE);
+    public static final Mesh DEFAULT = new Mesh(
+            new Geometry.OfFile(Path.of("")),
+            Vector3.ZERO,
+            Rotation.NONE,
+            1,
+            0,
+            MeshAnimation.NONE,
+            Optional.empty(),
+            Tag.NONE);
 
     public Mesh {
         requireNonNull(geometry, "geometry");
         requireNonNull(position, "position");
         requireNonNull(rotation, "rotation");
+        requireNonNull(animation, "animation");
         requireNonNull(material, "material");
         requireNonNull(tag, "tag");
     }
@@ -69,7 +79,7 @@ public record Mesh(
 
     @Override
     public Mesh withPosition(Vector3 newPosition) {
-        return new Mesh(geometry, newPosition, rotation, scale, smoothDegrees, material, tag);
+        return new Mesh(geometry, newPosition, rotation, scale, smoothDegrees, animation, material, tag);
     }
 
     public Mesh withMaterial(Material newMaterial) {
@@ -83,6 +93,6 @@ public record Mesh(
 
     @Override
     public Mesh withTag(Tag newTag) {
-        return new Mesh(geometry, position, rotation, scale, smoothDegrees, material, newTag);
+        return new Mesh(geometry, position, rotation, scale, smoothDegrees, animation, material, newTag);
     }
 }

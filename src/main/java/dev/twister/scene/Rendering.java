@@ -37,7 +37,7 @@ public record Rendering(
     public static final int MAX_SIDE = 16384;
     public static final int MAX_SHADOW_SAMPLES = 1024;
     public static final int MAX_BOUNCES = 64;
-    public static final int MAX_SAMPLES_PER_PIXEL = 1024;
+    public static final int MAX_SAMPLES_PER_PIXEL = 65536;
     public static final double MAX_EXPOSURE_STOPS = 20;
     public static final double DEFAULT_CLAMP = 10;
 

@@ -7,9 +7,11 @@ import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPart;
 import dev.twister.mesh.MeshPlacement;
 import dev.twister.mesh.MeshReader;
+import dev.twister.mesh.TriangleMesh;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.MeshAnimation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Triangles;
@@ -19,13 +21,17 @@ import dev.twister.world.table.MeshGeometry;
 import dev.twister.world.table.MeshPlace;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 
 /**
  * The mesh files that a scene refers to, each once, with a hierarchy over the triangles of each mesh. It is shared by
@@ -38,6 +44,12 @@ public final class SceneMeshes {
     private final float[] floats;
     private final Map<Source, Loaded> loadedBySource;
 
+    /** The files at times of their animations; none if all meshes are at rest. */
+    private final Map<Pose, Loaded> loadedByPose;
+
+    /** The same meshes at rest. */
+    private final Optional<SceneMeshes> rest;
+
     /** Triangles and the angle on which generated normals depend, or the basis of shapes of many sizes. */
     public record Source(Geometry geometry, double smoothDegrees) {
         public static Source of(Mesh mesh) {
@@ -48,27 +60,54 @@ public final class SceneMeshes {
         }
     }
 
+    /** Triangles at a time of an animation. */
+    private record Pose(Source source, MeshAnimation animation) {
+        static Pose of(Mesh mesh) {
+            return new Pose(Source.of(mesh), mesh.animation());
+        }
+    }
+
     /**
      * A file and the locations of its meshes.
      *
      * @param places one for each of the file's meshes
      * @param farPoints see {@link FarPoints}
      */
-    private record Loaded(MeshFile file, List<MeshPlace> places, List<Vector3> farPoints) {}
+    private record Loaded(MeshFile file, List<MeshPlace> places, Supplier<List<Vector3>> farPoints) {}
 
     private SceneMeshes(float[] floats, Map<Source, Loaded> loadedBySource) {
+        this(floats, loadedBySource, Map.of(), Optional.empty());
+    }
+
+    private SceneMeshes(
+            float[] floats,
+            Map<Source, Loaded> loadedBySource,
+            Map<Pose, Loaded> loadedByPose,
+            Optional<SceneMeshes> rest) {
         this.floats = floats;
         this.loadedBySource = loadedBySource;
+        this.loadedByPose = loadedByPose;
+        this.rest = rest;
     }
 
     /**
      * Reads a scene's mesh files, each once.
      *
      * @param warnings receives one line for each unsupported feature of a file
-     * @throws MeshException as for {@link #of}
+     * @throws MeshException as for {@link #of}, or if a file has not the animation that a mesh plays
      */
     public static SceneMeshes read(Scene scene, Consumer<String> warnings) {
-        return of(scene, reader(warnings));
+        SceneMeshes read = of(scene, reader(warnings));
+        for (int i = 0; i < scene.meshes().size(); i++) {
+            MeshAnimation animation = scene.meshes().get(i).animation();
+            if (!animation.isNone()) {
+                String place = "meshes[" + i + "].animation: ";
+                read.file(scene.meshes().get(i)).complaint(animation.name()).ifPresent(problem -> {
+                    throw new MeshException(place + problem);
+                });
+            }
+        }
+        return read;
     }
 
     /** A reader that uses {@link MeshReader#read}. */
@@ -93,6 +132,9 @@ public final class SceneMeshes {
      * @throws MeshException as for {@link #of}
      */
     public SceneMeshes changedTo(List<Mesh> meshes, Function<Source, MeshFile> reader) {
+        if (rest.isPresent()) {
+            return rest.get().changedTo(meshes, reader);
+        }
         Map<Source, MeshFile> files = new LinkedHashMap<>();
         for (int i = 0; i < meshes.size(); i++) {
             Source source = Source.of(meshes.get(i));
@@ -124,16 +166,106 @@ public final class SceneMeshes {
             List<MeshPlace> places = new ArrayList<>();
             for (int mesh = 0; mesh < file.meshes().size(); mesh++) {
                 MeshGeometry geometry = before == null
-                        ? MeshGeometry.of(file.meshes().get(mesh))
+                        ? MeshGeometry.of(
+                                file.meshes().get(mesh), !file.rig().clips().isEmpty())
                         : before.places().get(mesh).geometry(floats);
                 places.add(MeshPlace.of(start, geometry));
                 parts.add(geometry.floats());
                 start = checked(start + (long) geometry.floats().length);
             }
-            List<Vector3> farPoints = before == null ? FarPoints.of(file) : before.farPoints();
-            loaded.put(entry.getKey(), new Loaded(file, places, farPoints));
+            List<Vector3> farPoints =
+                    before == null ? FarPoints.of(file) : before.farPoints().get();
+            loaded.put(entry.getKey(), new Loaded(file, places, () -> farPoints));
         }
         return new SceneMeshes(joined(parts, start), loaded);
+    }
+
+    /**
+     * The meshes as they are at the start of their animations, with their hierarchies.
+     *
+     * @param before a result of this method, which is returned again if it is the same
+     */
+    SceneMeshes posed(List<Mesh> meshes, SceneMeshes before) {
+        SceneMeshes atRest = rest.orElse(this);
+        Set<Pose> poses = new LinkedHashSet<>();
+        Set<Source> still = new LinkedHashSet<>(atRest.loadedBySource.keySet());
+        for (Mesh mesh : meshes) {
+            if (!mesh.animation().isNone() && holds(mesh)) {
+                poses.add(Pose.of(mesh));
+                still.remove(Source.of(mesh));
+            }
+        }
+        if (poses.isEmpty()) {
+            return atRest;
+        }
+        meshes.stream()
+                .filter(mesh -> mesh.animation().isNone())
+                .map(Source::of)
+                .forEach(still::add);
+        boolean same = before.rest.equals(Optional.of(atRest))
+                && before.loadedByPose.keySet().equals(poses);
+        return same ? before : new Posing(atRest, still).posed(poses);
+    }
+
+    /** Joins meshes at rest and meshes at times of animations. */
+    private static final class Posing {
+        /** A mesh of a file, as it is at rest. */
+        private record Rigid(Source source, int mesh) {}
+
+        private final SceneMeshes rest;
+        private final Map<Source, Loaded> still = new LinkedHashMap<>();
+        private final Map<Rigid, MeshPlace> rigid = new HashMap<>();
+        private final List<float[]> parts = new ArrayList<>();
+        private int start;
+
+        /** @param sources those that some mesh shows at rest */
+        Posing(SceneMeshes rest, Set<Source> sources) {
+            this.rest = rest;
+            for (Source source : sources) {
+                if (rest.loadedBySource.containsKey(source)) {
+                    Loaded loaded = rest.loadedBySource.get(source);
+                    still.put(source, new Loaded(loaded.file(), places(source, loaded.file()), loaded.farPoints()));
+                }
+            }
+        }
+
+        SceneMeshes posed(Set<Pose> poses) {
+            Map<Pose, Loaded> posed = new LinkedHashMap<>();
+            for (Pose pose : poses) {
+                Loaded now = at(pose);
+                posed.put(pose, now);
+                still.putIfAbsent(pose.source(), now);
+            }
+            return new SceneMeshes(joined(parts, start), still, posed, Optional.of(rest));
+        }
+
+        private Loaded at(Pose pose) {
+            MeshFile file = rest.loadedBySource.get(pose.source()).file().posed(pose.animation());
+            return new Loaded(file, places(pose.source(), file), new FarPoints.Later(file));
+        }
+
+        /** A mesh that is as at rest is taken once, whatever the poses are. */
+        @SuppressWarnings("ReferenceEquality") // as a rig has it
+        private List<MeshPlace> places(Source source, MeshFile file) {
+            Loaded loaded = rest.loadedBySource.get(source);
+            List<MeshPlace> places = new ArrayList<>();
+            for (int mesh = 0; mesh < file.meshes().size(); mesh++) {
+                TriangleMesh now = file.meshes().get(mesh);
+                MeshPlace before = loaded.places().get(mesh);
+                places.add(
+                        now == loaded.file().meshes().get(mesh)
+                                ? rigid.computeIfAbsent(new Rigid(source, mesh), _ -> add(before.geometry(rest.floats)))
+                                : add(before.geometry(rest.floats).moved(now)));
+            }
+            return places;
+        }
+
+        private MeshPlace add(MeshGeometry geometry) {
+            MeshPlace place = MeshPlace.of(start, geometry);
+            parts.add(geometry.floats());
+            start = checked(start + (long) geometry.floats().length);
+            return place;
+        }
     }
 
     private static int checked(long length) {
@@ -174,7 +306,12 @@ public final class SceneMeshes {
         return loadedBySource.containsKey(Source.of(mesh));
     }
 
-    /** The content of a mesh's file. */
+    /** The length of the animation that a mesh plays, in seconds; 0 if that is not known. */
+    public double clipSeconds(Mesh mesh) {
+        return holds(mesh) ? loaded(mesh).file().clipSeconds(mesh.animation()) : 0;
+    }
+
+    /** The content of a mesh's file, at the start of its animation. */
     public MeshFile file(Mesh mesh) {
         return loaded(mesh).file();
     }
@@ -185,7 +322,7 @@ public final class SceneMeshes {
      */
     public List<Vector3> farPoints(Mesh mesh) {
         Affine placement = MeshPlacement.of(mesh);
-        return loaded(mesh).farPoints().stream().map(placement::point).toList();
+        return loaded(mesh).farPoints().get().stream().map(placement::point).toList();
     }
 
     /** The number of bodies that a mesh consists of: one per part. */
@@ -238,8 +375,23 @@ public final class SceneMeshes {
         return loaded(mesh).places().get(number);
     }
 
+    /** The mesh at another time of its animation, if it is not there at the one that is asked for. */
+    private Optional<Loaded> anyPose(Mesh mesh) {
+        return loadedByPose.entrySet().stream()
+                .filter(entry -> !mesh.animation().isNone()
+                        && entry.getKey().source().equals(Source.of(mesh))
+                        && entry.getKey()
+                                .animation()
+                                .withStart(0)
+                                .equals(mesh.animation().withStart(0)))
+                .map(Map.Entry::getValue)
+                .findFirst();
+    }
+
     private Loaded loaded(Mesh mesh) {
-        Loaded loaded = loadedBySource.get(Source.of(mesh));
+        Loaded loaded = Optional.ofNullable(loadedByPose.get(Pose.of(mesh)))
+                .or(() -> anyPose(mesh))
+                .orElseGet(() -> loadedBySource.get(Source.of(mesh)));
         if (loaded == null) {
             throw new IllegalArgumentException("the mesh " + mesh.geometry() + " was not read");
         }

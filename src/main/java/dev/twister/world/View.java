@@ -61,7 +61,7 @@ public record View(float[] frame, int stageOrView) {
     }
 
     View withSamples(int first, int samples) {
-        float[] counted = frame.clone();
+        float[] counted = Arrays.copyOf(frame, Layout.DISC);
         counted[Layout.PIXEL_SAMPLES] = samples;
         counted[Layout.FIRST_SAMPLE] = first;
         return of(counted, disc(), PixelSamples.of(first, samples), stageOrView);

@@ -40,7 +40,7 @@ public final class World {
         places = new PlaceTable(origin);
         this.scene = scene;
         this.images = images;
-        this.meshes = meshes;
+        this.meshes = meshes.posed(scene.meshes(), meshes);
         putPlaces();
         putLooks();
         shadowDisc = SunflowerDisc.points(scene.rendering().shadowSamples());
@@ -103,14 +103,15 @@ public final class World {
     @SuppressWarnings("ReferenceEquality")
     public void show(Scene newScene, SceneImages newImages, SceneMeshes newMeshes) {
         Scene before = scene;
+        SceneMeshes posed = newMeshes.posed(newScene.meshes(), meshes);
         boolean sameBodies = hasBodiesOf(newScene)
                 && newScene.lights().count() == before.lights().count()
                 && newScene.lights().first().isSun() == before.lights().first().isSun()
-                && meshes.equals(newMeshes);
+                && meshes.equals(posed);
         boolean sameLooks = sameBodies && hasSurfacesOf(newScene) && images.equals(newImages);
         scene = newScene;
         images = newImages;
-        meshes = newMeshes;
+        meshes = posed;
         if (!sameBodies) {
             putPlaces();
         } else {

@@ -11,6 +11,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.ShippedScenes;
+import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.util.ArrayList;
@@ -178,6 +179,30 @@ class ConvergingPictureTest {
             engine.render(input, frame);
         }
         return frame.radiance();
+    }
+
+    @Test
+    void passesOfAllSamplesThatASceneCanAskForAreItsPicture() {
+        LitScene small = ShippedScenes.small("metals");
+        World world = World.of(small.scene(), small.images());
+        world.setSettings(small.scene()
+                .rendering()
+                .withSize(4, 3)
+                .withShadowSamples(1)
+                .withSamplesPerPixel(Rendering.MAX_SAMPLES_PER_PIXEL));
+        FrameInput input = world.snapshot();
+        Frame passes = Frame.ofRadiance(4, 3);
+        int[] samples = new int[1];
+        try (Engine engine = Engines.open("sequential")) {
+            ConvergingPicture.draw(
+                    engine, input, passes, 0, input.samplesPerPixel(), reached -> samples[0] = reached.samples());
+        }
+
+        assertThat(samples[0]).isEqualTo(65536);
+        float[] whole = radiance(input);
+        for (int i = 0; i < whole.length; i++) {
+            assertThat(passes.radiance()[i]).isCloseTo(whole[i], within(1e-3f * Math.max(1, whole[i])));
+        }
     }
 
     private static FrameInput input(String scene) {

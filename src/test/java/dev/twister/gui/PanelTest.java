@@ -88,7 +88,7 @@ class PanelTest {
         return Stream.of(
                 PropertyNumbers.of(Property.within(SceneProperties.RENDERING, Scene::rendering, Scene::withRendering))
                         .stream(),
-                PropertyNumbers.ofCamera().stream().skip(5),
+                PanelNumbers.ofCamera().stream().skip(5),
                 PanelNumbers.ofLight(0).stream().limit(7),
                 PropertyNumbers.of(Property.within(SceneProperties.SKY, Scene::sky, Scene::withSky)).stream(),
                 PropertyNumbers.ofBody(scene(), SPHERE).stream(),

@@ -2,6 +2,7 @@ package dev.twister.mesh;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.mesh.gltf.AnimatedGltf;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.ByteOrder;
@@ -30,7 +31,11 @@ class DamagedMeshesTest {
                             MeshFiles.ply(ByteOrder.LITTLE_ENDIAN),
                             MeshFiles.ply(ByteOrder.BIG_ENDIAN)),
             ".stl", List.of(MeshFiles.stlText(), MeshFiles.stlBinary()),
-            ".gltf", List.of(MeshFiles.gltf(), MeshFiles.glb()));
+            ".gltf",
+                    List.of(
+                            MeshFiles.gltf(),
+                            MeshFiles.glb(),
+                            AnimatedGltf.example().getBytes(StandardCharsets.UTF_8)));
 
     @Property(tries = 1000)
     void areReadOrRefused(@ForAll long seed) throws IOException {
@@ -50,6 +55,11 @@ class DamagedMeshesTest {
                     .forEach(part ->
                             assertThat(part.mesh()).isBetween(0, mesh.meshes().size() - 1));
             mesh.meshes().forEach(DamagedMeshesTest::checkMesh);
+            for (int clip = 0; clip < mesh.rig().clips().size(); clip++) {
+                double seconds =
+                        random.nextDouble() * mesh.rig().clips().get(clip).seconds();
+                mesh.rig().posed(mesh, clip, seconds).meshes().forEach(DamagedMeshesTest::checkMesh);
+            }
         } catch (MeshException refused) {
             assertThat(refused).message().startsWith(file.toString()).doesNotContain("\n");
         } finally {

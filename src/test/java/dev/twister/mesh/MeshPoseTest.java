@@ -34,7 +34,7 @@ class MeshPoseTest {
     @CsvSource({"a.obj, Z, 3", "a.obj, Y, 0", "a.obj, , 0", "a.stl, Z, 3", "a.stl, Y, 0", "a.stl, , 3"})
     void thatAxisPointsUp(String name, MeshPose.Up up, double height) {
         MeshFile file = Reading.read(folder, name, name.endsWith(".stl") ? STL : OBJ);
-        MeshPose pose = new MeshPose(Optional.ofNullable(up), Rotation.NONE);
+        MeshPose pose = new MeshPose(Optional.ofNullable(up), Rotation.NONE, Optional.empty());
 
         Box box = file.bounds(turn(pose.rotation(folder.resolve(name))));
 
@@ -49,7 +49,7 @@ class MeshPoseTest {
         Rotation rotation = new Rotation(130, 20, -40);
         Vector3 point = new Vector3(0.3, -1.2, 0.7);
 
-        Rotation whole = new MeshPose(Optional.of(MeshPose.Up.Z), rotation).rotation(file);
+        Rotation whole = new MeshPose(Optional.of(MeshPose.Up.Z), rotation, Optional.empty()).rotation(file);
 
         Vector3 expected = turn(rotation).point(turn(new Rotation(0, 90, 0)).point(point));
         assertThat(turn(whole).point(point).minus(expected).length()).isLessThan(1e-12);

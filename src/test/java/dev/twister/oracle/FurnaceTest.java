@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.engine.JvmEngines;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rendering;
@@ -83,6 +84,49 @@ class FurnaceTest {
                     Pictures.argb(JvmEngines.SEQUENTIAL, without, lit.sky()));
             assertThat(difference).matches(PictureDifference::isWithinBound, "is within the design's bound");
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.3, 1})
+    void specularIsAFactorOfWhatADielectricReflects(double specular) {
+        Material black = Material.DEFAULT.withColor(BLACK).withRoughness(0.4);
+        float[] all = traced(black);
+        float[] reflected = traced(black.withSpecular(specular));
+
+        for (int i = 0; i < all.length; i++) {
+            assertThat(reflected[i]).isCloseTo((float) specular * all[i], within(1e-5f));
+        }
+        assertThat(all[all.length / 2]).isBetween(0.01f, 0.2f);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0.4, 0", "0.5, 0.4, 0", "0, 0.3, 1", "0.5, 0, 1"})
+    void whatSpecularDoesNotReflectGoesOn(double specular, double roughness, double transmission) {
+        Material white =
+                Material.DEFAULT.withRoughness(roughness).withTransmission(transmission).withSpecular(specular);
+
+        double mean = 0;
+        float[] radiance = traced(white);
+        for (float channel : radiance) {
+            mean += channel / radiance.length;
+        }
+        assertThat(mean).isBetween(specular == 0 && transmission == 0 ? 0.995 : 0.88, 1.005);
+    }
+
+    /** Traces paths to a sphere that fills the picture, under a white sky. */
+    private static float[] traced(Material material) {
+        Scene scene = Scene.under(Path.of("none.hdr"))
+                .withCamera(Camera.of(new Vector3(0, 5, -4), 0, 0, 10))
+                .withLights(Lights.of(Light.of(new Vector3(0, 50, 0), 0.1, BLACK)))
+                .withGround(Ground.of(1, -1e5, BLACK, BLACK, 0))
+                .withSpheres(List.of(Sphere.of(new Vector3(0, 5, 0), 1, material)))
+                .withRendering(Rendering.DEFAULT
+                        .withSize(12, 12)
+                        .withSamplesPerPixel(256)
+                        .withIntegrator(Integrator.PATH)
+                        .withClamp(0)
+                        .withBounces(64));
+        return Pictures.radiance(JvmEngines.SEQUENTIAL, scene, WHITE_SKY);
     }
 
     /** Renders spheres of one material on white ground under a white sky, in linear radiance. */

@@ -1,6 +1,7 @@
 package dev.twister.oracle;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.CameraProjection;
 
 /** Creates view rays through positions in the picture. */
 final class OracleCamera {
@@ -11,6 +12,9 @@ final class OracleCamera {
     private final Vector up;
     private final Vector forward;
     private final double eyeDistance;
+    private final CameraProjection projection;
+    private final double viewHeight;
+    private final double halfField;
     private final double aperture;
     private final double focusDistance;
 
@@ -29,7 +33,11 @@ final class OracleCamera {
         up = rounded(turnedRight(turnedDown(new Vector(0, 1, 0), pitch), yaw));
         forward = rounded(turnedRight(turnedDown(new Vector(0, 0, 1), pitch), yaw));
         eyeDistance = (float) (1 / Math.tan(Math.toRadians(camera.fieldOfViewDegrees()) / 2));
-        aperture = camera.aperture();
+        projection = camera.projection();
+        viewHeight = camera.viewHeight();
+        halfField = Math.toRadians(camera.fieldOfViewDegrees()) / 2;
+        boolean flat = projection == CameraProjection.PERSPECTIVE || projection == CameraProjection.ORTHOGRAPHIC;
+        aperture = flat ? camera.aperture() : 0;
         focusDistance = camera.focusDistance();
     }
 
@@ -40,10 +48,8 @@ final class OracleCamera {
     ViewRay ray(double x, double y, SampleNumbers numbers) {
         double u = width > height ? (x - width / 2.0 + height / 2.0) / height * 2 - 1 : x / width * 2 - 1;
         double v = width > height ? -(y / height * 2 - 1) : -((y - height / 2.0 + width / 2.0) / width * 2 - 1);
-        Vector direction = right.times(u)
-                .plus(up.times(v))
-                .plus(forward.times(eyeDistance))
-                .normalized();
+        Vector direction = direction(x, y, u, v).normalized();
+        Vector position = projection == CameraProjection.ORTHOGRAPHIC ? parallel(x, y) : this.position;
         if (aperture == 0) {
             return new ViewRay(new Ray(position, direction), numbers);
         }
@@ -52,6 +58,33 @@ final class OracleCamera {
         Vector start = position.plus(right.times(radius * Math.cos(angle))).plus(up.times(radius * Math.sin(angle)));
         Vector focus = position.plus(direction.times(focusDistance / direction.dot(forward)));
         return new ViewRay(new Ray(start, focus.minus(start).normalized()), numbers);
+    }
+
+    private Vector direction(double x, double y, double u, double v) {
+        return switch (projection) {
+            case PERSPECTIVE -> along(u, v, eyeDistance);
+            case ORTHOGRAPHIC -> forward;
+            case PANORAMA -> {
+                double turn = (x / width - 0.5) * 2 * Math.PI;
+                double height = (0.5 - y / this.height) * Math.PI;
+                yield along(Math.sin(turn) * Math.cos(height), Math.sin(height), Math.cos(turn) * Math.cos(height));
+            }
+            case FISHEYE -> {
+                double away = Math.hypot(u, v);
+                double angle = Math.min(Math.PI, away * halfField);
+                double across = away == 0 ? 0 : Math.sin(angle) / away;
+                yield along(across * u, across * v, Math.cos(angle));
+            }
+        };
+    }
+
+    private Vector along(double toRight, double toUp, double ahead) {
+        return right.times(toRight).plus(up.times(toUp)).plus(forward.times(ahead));
+    }
+
+    private Vector parallel(double x, double y) {
+        double meters = viewHeight / height;
+        return position.plus(along((x - width / 2.0) * meters, (height / 2.0 - y) * meters, 0));
     }
 
     /** Rotates about x, from forward to down. */

@@ -3,6 +3,8 @@ package dev.twister.oracle;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.JvmEngines;
+import dev.twister.scene.Camera;
+import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.world.FrameInput;
@@ -69,6 +71,17 @@ class StagesAndViewsTest {
             names = {"DIFFUSE", "HIGHLIGHTS", "SOFT_SHADOWS", "ALBEDO", "NORMAL", "BODY", "SHADOW", "BOUNCES"})
     void ofSeveralLightsIsTheOracles(StageOrView picture) {
         requireOracles(RandomLights.added(ShippedScenes.small("benchmark"), new Random(20261126)), picture);
+    }
+
+    @ParameterizedTest
+    @EnumSource(CameraProjection.class)
+    void projectionIsTheOracles(CameraProjection projection) {
+        LitScene shipped = ShippedScenes.small("bokeh");
+        Camera camera = shipped.scene().camera().withProjection(projection);
+        Scene seen = shipped.scene().withCamera(camera.withViewHeight(6));
+
+        requireOracles(new LitScene(seen, shipped.images()), StageOrView.BEAUTY);
+        requireOracles(new LitScene(seen, shipped.images()), StageOrView.NORMAL);
     }
 
     private static void requireOracles(LitScene shipped, StageOrView picture) {

@@ -5,11 +5,8 @@ import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.generate.Palette;
 import dev.twister.scene.generate.Pour;
 import dev.twister.scene.light.Lights;
-import dev.twister.scene.material.Alpha;
 import dev.twister.scene.material.Attenuation;
 import dev.twister.scene.material.Emission;
-import dev.twister.scene.material.Maps;
-import dev.twister.scene.material.Reflectance;
 import dev.twister.scene.select.SceneBodies;
 import dev.twister.scene.select.Tag;
 import dev.twister.scene.select.Title;
@@ -35,7 +32,7 @@ public final class FullScene {
 
     private static Scene scene() {
         Material glass = material(0.6, 20);
-        Camera camera = new Camera(new Vector3(0, 2, -6), 3, 10, 50, 0.1, 7, List.of());
+        Camera camera = new Camera(new Vector3(0, 2, -6), 3, 10, CameraProjection.FISHEYE, 50, 4, 0.1, 7, List.of());
         SequencedMap<String, Material> materials = new LinkedHashMap<>();
         materials.put("glass", glass);
         return new Scene(
@@ -62,6 +59,7 @@ public final class FullScene {
                                 new Rotation(20, 10, 30),
                                 0.6,
                                 25,
+                                new MeshAnimation("Walk", 0.25, -1.5, false),
                                 Optional.of(material(0.7, 0)),
                                 Tag.NONE))),
                 new Sky(Path.of("sky.hdr"), 30, 1.5),
@@ -74,19 +72,15 @@ public final class FullScene {
     }
 
     private static Material material(double transmission, double reflectivity) {
-        return new Material(
-                new Rgb(0.5, 0.6, 0.7),
-                reflectivity,
-                Reflectance.MIXED,
-                0.2,
-                0.4,
-                transmission,
-                1.4,
-                Optional.of(TEXTURE),
-                new Emission(new Rgb(3, 2, 1), 0.5, false, "lamp"),
-                new Attenuation(new Rgb(0.9, 0.8, 0.7), Optional.of(2.5)),
-                Alpha.OPAQUE,
-                Maps.NONE,
-                false);
+        return Material.DEFAULT
+                .withColor(new Rgb(0.5, 0.6, 0.7))
+                .withReflectivity(reflectivity)
+                .withRoughness(0.2)
+                .withMetallic(0.4)
+                .withTransmission(transmission)
+                .withIor(1.4)
+                .withTexture(TEXTURE)
+                .withEmission(new Emission(new Rgb(3, 2, 1), 0.5, false, "lamp"))
+                .withAttenuation(new Attenuation(new Rgb(0.9, 0.8, 0.7), Optional.of(2.5)));
     }
 }

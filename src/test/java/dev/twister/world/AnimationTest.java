@@ -129,9 +129,10 @@ class AnimationTest {
     void endsWithTheLastKeyframeOfAll() {
         Camera camera = SCENE.camera();
 
-        assertThat(Animation.length(with(RISING))).isEqualTo(4);
+        assertThat(Animation.length(with(RISING), SceneMeshes.NONE)).isEqualTo(4);
         assertThat(Animation.length(
-                        with(RISING).withCamera(camera.withKeyframes(List.of(CameraKeyframe.of(5, camera))))))
+                        with(RISING).withCamera(camera.withKeyframes(List.of(CameraKeyframe.of(5, camera)))),
+                        SceneMeshes.NONE))
                 .isEqualTo(5);
     }
 
@@ -160,7 +161,9 @@ class AnimationTest {
 
     private static int framesOfTracks(double rate, Track... tracks) {
         return Animation.frames(
-                SCENE.withCamera(SCENE.camera().withKeyframes(List.of())).withTracks(List.of(tracks)), rate);
+                SCENE.withCamera(SCENE.camera().withKeyframes(List.of())).withTracks(List.of(tracks)),
+                SceneMeshes.NONE,
+                rate);
     }
 
     private static Scene with(Track track) {

@@ -191,7 +191,6 @@ final class BenchmarkCommand implements Callable<Integer> {
             names = "--jit",
             paramLabel = "JIT",
             split = ",",
-            completionCandidates = Completions.OfJit.class,
             description =
                     "Run once per compiler, each in a JVM of its own, and compare: ${COMPLETION-CANDIDATES}. graal"
                             + " needs GraalVM or a TornadoVM SDK. Default: this JVM's.")
@@ -374,10 +373,9 @@ final class BenchmarkCommand implements Callable<Integer> {
             throw new BadInputException(
                     "--samples is for the integrator path, but the picture has whitted; add" + " --integrator path");
         }
-        return new Setting(
-                size,
-                shading.shadowSamplesOr(classic ? CLASSIC_SHADOW_SAMPLES : SHADOW_SAMPLES),
-                shading.bouncesOr(classic ? CLASSIC_BOUNCES : BOUNCES));
+        Rendering shaded = shading.over(settings.withShadowSamples(classic ? CLASSIC_SHADOW_SAMPLES : SHADOW_SAMPLES)
+                .withBounces(classic ? CLASSIC_BOUNCES : BOUNCES));
+        return new Setting(size, shaded.shadowSamples(), shaded.bounces());
     }
 
     private BenchmarkReport run(BenchmarkPlan plan, Scene scene, ReportFiles files) {

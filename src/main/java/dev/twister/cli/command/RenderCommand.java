@@ -44,7 +44,9 @@ import dev.twister.render.SceneInputs;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.select.VisibleBodies;
+import dev.twister.world.Animation;
 import dev.twister.world.FrameInput;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -85,6 +87,7 @@ import picocli.CommandLine.Spec;
             "  twister render pour-1000 -o 'shot/f-####.png' --motion pour.motion --frames 240-299 --skip-existing",
             "  twister render benchmark -o turn.mp4 --turntable 10",
             "  twister render metals -o tile-2.exr --size 4k --samples 256 --tile 2/7",
+            "  twister render fox.glb -o fox.mp4 --animation Walk --fps 30",
             "  twister render model.glb -o thumbnail.png --size 512x512 --background none",
             "  twister render 'scans/*.ply' -o pictures --up z"
         })
@@ -129,7 +132,7 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(
             names = "--background",
-            paramLabel = "NAME",
+            paramLabel = "BACKGROUND",
             description = "sky (the default), or none: a PNG is transparent where there is no body, and a mesh file has"
                     + " no floor.")
     private Background background = Background.SKY;
@@ -221,21 +224,23 @@ final class RenderCommand implements Callable<Integer> {
         Consumer<String> warnings = SkyFiles.warnings(spec.commandLine().getErr());
         Optional<ModelFile> mesh = ModelFile.isNamed(file) ? Optional.of(model(file, warnings)) : Optional.empty();
         if (mesh.isEmpty() && model.areGiven()) {
-            throw new BadInputException("--up, --rotate and --scene are for mesh files, but " + file + " is a scene");
+            throw new BadInputException(
+                    "--up, --rotate, --scene and --animation are for mesh files, but " + file + " is a scene");
         }
         Scene scene = mesh.isPresent()
                 ? mesh.get().under(sky.over(mesh.get().scene()).sky())
                 : sky.over(VisibleBodies.of(SceneFiles.read(file)));
+        PrintWriter err = spec.commandLine().getErr();
         Optional<MotionFile> recorded = film.open(scene);
         try {
-            RenderOrder order = order(scene, picture, recorded);
+            // The length of a film depends on animations; otherwise options are checked before long files are read.
+            Optional<SceneMeshes> meshes = mesh.map(ModelFile::meshes)
+                    .or(() -> Optional.of(scene).filter(Animation::isOfMeshes).map(read -> SkyFiles.meshes(read, err)));
+            RenderOrder order = order(scene, meshes.orElse(SceneMeshes.NONE), picture, recorded);
             PictureOutput.checkKeeps(order.output(), SceneInputs.of(file, scene));
             SizeCheck.check(order.size(), Renderer.bytesPerPixel(order));
-            render(
-                    order,
-                    mesh.isPresent()
-                            ? mesh.get().world(order.scene(), warnings)
-                            : SkyFiles.world(order.scene(), spec.commandLine().getErr()));
+            Scene shown = order.scene();
+            render(order, SkyFiles.world(shown, meshes.orElseGet(() -> SkyFiles.meshes(shown, err)), err));
         } finally {
             if (recorded.isPresent()) {
                 recorded.get().close();
@@ -249,11 +254,12 @@ final class RenderCommand implements Callable<Integer> {
         return background == Background.NONE ? read.withoutPlane() : read;
     }
 
-    private RenderOrder order(Scene scene, Path picture, Optional<MotionFile> recorded) throws IOException {
+    private RenderOrder order(Scene scene, SceneMeshes meshes, Path picture, Optional<MotionFile> recorded)
+            throws IOException {
         Rendering settings = settings(scene.rendering());
         Scene shown =
                 tone.fixed(camera.fixed(scene.withCamera(camera.over(scene)))).withRendering(settings);
-        Optional<FrameRange> frames = film.frames(shown, motion, recorded, picture);
+        Optional<FrameRange> frames = film.frames(shown, meshes, motion, recorded, picture);
         if (frames.isEmpty()) {
             film.checkSingle();
         }
@@ -366,10 +372,10 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private Rendering settings(Rendering usual) {
-        PictureSize wanted = size.orElseGet(() -> new PictureSize(usual.width(), usual.height()));
+        PictureSize wanted = size.orElseGet(() -> camera.sizeOr(new PictureSize(usual.width(), usual.height())));
         Rendering shaded = shading.over(usual)
                 .withSize(wanted.width(), wanted.height())
-                .withSamplesPerPixel(samples.over(usual.samplesPerPixel()).atOnce());
+                .withSamplesPerPixel(samples.over(usual.samplesPerPixel()).samples());
         return tone.over(shaded);
     }
 }

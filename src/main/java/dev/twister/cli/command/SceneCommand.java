@@ -110,7 +110,8 @@ final class SceneCommand implements Callable<Integer> {
             MeshFile held = meshes.file(mesh);
             text.append("; %s: %d triangles".formatted(mesh.geometry().name(), held.shownTriangles()))
                     .append(also(held.parts().size(), "part"))
-                    .append(also(held.degenerateTriangles(), "degenerate triangle"));
+                    .append(also(held.degenerateTriangles(), "degenerate triangle"))
+                    .append(held.rig().clips().isEmpty() ? "" : ", animations " + held.clipNames());
         }
         return text.toString();
     }

@@ -4,7 +4,6 @@ import dev.twister.cli.file.BadInputException;
 import dev.twister.cli.file.ExitCode;
 import dev.twister.cli.file.OutputFile;
 import dev.twister.cli.file.SizeCheck;
-import dev.twister.cli.option.Completions;
 import dev.twister.cli.option.PictureSizeConverter;
 import dev.twister.cli.option.Ranges;
 import dev.twister.image.HdrWriter;
@@ -49,8 +48,7 @@ final class SkyCommand implements Callable<Integer> {
 
     @Option(
             names = "--preset",
-            paramLabel = "NAME",
-            completionCandidates = Completions.OfPreset.class,
+            paramLabel = "PRESET",
             defaultValue = "day",
             description = "Defaults of the other options: day, sunset or overcast (default: ${DEFAULT-VALUE}).")
     private ShippedSky preset;

@@ -1,5 +1,6 @@
 package dev.twister.cli.file;
 
+import dev.twister.files.PrintableText;
 import dev.twister.gui.Gui.FirstScene;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.mesh.MeshFile;
@@ -50,6 +51,10 @@ public record ModelFile(Scene scene, MeshFile content) {
     public static ModelFile read(Path file, String scene, MeshPose pose, Consumer<String> warnings) {
         Geometry.OfFile mesh = new Geometry.OfFile(file.toAbsolutePath().normalize(), scene);
         MeshFile content = MeshReader.read(mesh, MeshStage.SMOOTH_DEGREES, warnings);
+        if (pose.animation().isEmpty() && content.rig().clips().size() > 1) {
+            warnings.accept(PrintableText.line(file.toString()) + ": there are several animations: "
+                    + content.clipNames() + "; the first is played");
+        }
         Path sky = Home.skyboxes().resolve(ShippedSky.DAY.fileName());
         return new ModelFile(MeshStage.of(mesh, content, sky.toAbsolutePath().normalize(), pose), content);
     }
@@ -80,13 +85,18 @@ public record ModelFile(Scene scene, MeshFile content) {
         return new ModelFile(scene.withGround(OUT_OF_SIGHT), content);
     }
 
+    /** The mesh. */
+    public SceneMeshes meshes() {
+        return SceneMeshes.of(scene, _ -> content);
+    }
+
     /**
      * The world of this scene, whose pictures are read as {@link SceneImages#read} does.
      *
      * @param shown the scene with other settings, camera or sky
      */
     public World world(Scene shown, Consumer<String> warnings) {
-        SceneMeshes meshes = SceneMeshes.of(shown, _ -> content);
+        SceneMeshes meshes = meshes();
         return World.of(shown, SceneImages.read(shown, meshes, warnings), meshes);
     }
 }

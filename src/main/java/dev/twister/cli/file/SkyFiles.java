@@ -30,7 +30,11 @@ public final class SkyFiles {
      * @param err told of what the files say and is not used
      */
     public static World world(Scene scene, PrintWriter err) {
-        SceneMeshes meshes = meshes(scene, err);
+        return world(scene, meshes(scene, err), err);
+    }
+
+    /** As above, with the meshes of the scene. */
+    public static World world(Scene scene, SceneMeshes meshes, PrintWriter err) {
         return World.of(scene, SceneImages.read(scene, meshes, warnings(err)), meshes);
     }
 

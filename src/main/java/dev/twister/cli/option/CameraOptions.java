@@ -1,7 +1,9 @@
 package dev.twister.cli.option;
 
 import dev.twister.cli.file.BadInputException;
+import dev.twister.image.PictureSize;
 import dev.twister.scene.Camera;
+import dev.twister.scene.CameraProjection;
 import dev.twister.scene.CameraView;
 import dev.twister.scene.Scene;
 import dev.twister.scene.TrackTarget;
@@ -42,9 +44,22 @@ public final class CameraOptions {
     private Optional<Double> pitch = Optional.empty();
 
     @Option(
+            names = "--projection",
+            paramLabel = "PROJECTION",
+            description =
+                    "perspective, orthographic, panorama (all directions; best twice as wide as high) or fisheye.")
+    private Optional<CameraProjection> projection = Optional.empty();
+
+    @Option(
+            names = "--view-height",
+            paramLabel = "METERS",
+            description = "What the height of an orthographic picture shows.")
+    private Optional<Double> viewHeight = Optional.empty();
+
+    @Option(
             names = "--fov",
             paramLabel = "DEGREES",
-            description = "Field of view over the picture's shorter side, 1 to 179.")
+            description = "Field of view over the picture's shorter side, 1 to 179; to 360 with a fisheye.")
     private Optional<Double> fieldOfView = Optional.empty();
 
     @Option(
@@ -61,26 +76,31 @@ public final class CameraOptions {
 
     public Camera over(Scene scene) {
         Camera camera = view.map(name -> view(scene, name)).orElse(scene.camera());
-        return camera.withPosition(position.map(CameraOptions::checked).orElse(camera.position()))
-                .withYawDegrees(Ranges.check("--yaw", yaw.orElse(camera.yawDegrees()), CameraProperties.YAW.range()))
-                .withPitchDegrees(
-                        Ranges.check("--pitch", pitch.orElse(camera.pitchDegrees()), CameraProperties.PITCH.range()))
-                .withFieldOfViewDegrees(Ranges.check(
-                        "--fov",
-                        fieldOfView.orElse(camera.fieldOfViewDegrees()),
-                        CameraProperties.FIELD_OF_VIEW.range()))
-                .withAperture(Ranges.check(
-                        "--aperture", aperture.orElse(camera.aperture()), CameraProperties.APERTURE.range()))
-                .withFocusDistance(Ranges.check(
-                        "--focus",
-                        focusDistance.orElse(camera.focusDistance()),
-                        CameraProperties.FOCUS_DISTANCE.range()));
+        camera = camera.withPosition(position.map(CameraOptions::checked).orElse(camera.position()));
+        camera = CameraProperties.PROJECTION.wither().apply(camera, projection.orElse(camera.projection()));
+        camera = Ranges.over(camera, "--yaw", yaw, CameraProperties.YAW);
+        camera = Ranges.over(camera, "--pitch", pitch, CameraProperties.PITCH);
+        camera = fieldOfView.isPresent()
+                ? camera.withFieldOfViewDegrees(
+                        Ranges.check("--fov", fieldOfView.get(), CameraProperties.fieldOfView(camera.projection())))
+                : camera;
+        camera = Ranges.over(camera, "--view-height", viewHeight, CameraProperties.VIEW_HEIGHT);
+        camera = Ranges.over(camera, "--aperture", aperture, CameraProperties.APERTURE);
+        return Ranges.over(camera, "--focus", focusDistance, CameraProperties.FOCUS_DISTANCE);
+    }
+
+    /** The size of a picture for which none is given: of a panorama that is asked for, twice as wide as high. */
+    public PictureSize sizeOr(PictureSize usual) {
+        return projection.filter(CameraProjection.PANORAMA::equals).isPresent()
+                ? new PictureSize(usual.width(), Math.max(1, usual.width() / 2))
+                : usual;
     }
 
     /** The scene without the tracks of what the options say. */
     public Scene fixed(Scene scene) {
         boolean all = view.isPresent();
         Scene rest = fixed(scene, "fieldOfView", all || fieldOfView.isPresent());
+        rest = fixed(rest, "viewHeight", all || viewHeight.isPresent());
         rest = fixed(rest, "aperture", all || aperture.isPresent());
         return fixed(rest, "focusDistance", all || focusDistance.isPresent());
     }

@@ -1,12 +1,8 @@
 package dev.twister.cli.option;
 
-import dev.twister.bench.benchmark.Jit;
 import dev.twister.cli.file.SceneFiles;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
-import dev.twister.scene.Integrator;
-import dev.twister.scene.ToneMap;
-import dev.twister.sky.ShippedSky;
 import dev.twister.world.StageOrView;
 import java.io.IOException;
 import java.util.Collections;
@@ -14,7 +10,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** What shells offer where options and scenes are typed: picocli makes one of each class. */
+/** What shells offer beside {@link ChoiceConverter choices}: picocli makes one of each class. */
 public final class Completions {
     private Completions() {}
 
@@ -40,20 +36,6 @@ public final class Completions {
         }
     }
 
-    static final class OfIntegrator implements Iterable<String> {
-        @Override
-        public Iterator<String> iterator() {
-            return ChoiceConverter.names(Integrator.class).iterator();
-        }
-    }
-
-    static final class OfToneMap implements Iterable<String> {
-        @Override
-        public Iterator<String> iterator() {
-            return ChoiceConverter.names(ToneMap.class).iterator();
-        }
-    }
-
     /** Beside numbers. */
     static final class OfExposure implements Iterable<String> {
         @Override
@@ -73,20 +55,6 @@ public final class Completions {
         @Override
         public Iterator<String> iterator() {
             return StageOrView.views().stream().map(StageOrView::id).iterator();
-        }
-    }
-
-    public static final class OfJit implements Iterable<String> {
-        @Override
-        public Iterator<String> iterator() {
-            return ChoiceConverter.names(Jit.class).iterator();
-        }
-    }
-
-    public static final class OfPreset implements Iterable<String> {
-        @Override
-        public Iterator<String> iterator() {
-            return ChoiceConverter.names(ShippedSky.class).iterator();
         }
     }
 }

@@ -12,6 +12,7 @@ import dev.twister.render.RenderOrder.Movement;
 import dev.twister.scene.Scene;
 import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.Animation;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.animation.CameraPath;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -29,7 +30,8 @@ public final class FilmOptions {
             converter = FrameRangeConverter.class,
             description = "Render frames of a film: N for frames 0 to N-1, A-B for frames A to B, to FILE-0000.png,"
                     + " FILE-0001.png, ...; %%04d or #### in FILE is the place of the number. Default: all of --motion"
-                    + " or --turntable, or of the scene's keyframes for a film, numbered files or with --fps.")
+                    + " or --turntable, or of the scene's keyframes and animations for a film, numbered files or with"
+                    + " --fps.")
     private Optional<FrameRange> frames = Optional.empty();
 
     @Option(
@@ -48,8 +50,8 @@ public final class FilmOptions {
             names = "--time",
             paramLabel = "SECONDS",
             description =
-                    "Render one picture at this time of the film of the scene's keyframes. Default: the scene's own"
-                            + " values.")
+                    "Render one picture at this time of the film of the scene's keyframes and animations. Default: the"
+                            + " scene's own values.")
     private Optional<Double> time = Optional.empty();
 
     @Option(
@@ -80,7 +82,7 @@ public final class FilmOptions {
         boolean moved = physics.isOn() || physics.isTimeGiven() || motion.isPresent() || turntable.isPresent();
         if (time.isPresent() && (moved || frames.isPresent())) {
             throw new BadInputException("--time excludes --frames, --fps, --start, --physics, --motion and --turntable:"
-                    + " it renders one picture of the scene's keyframes");
+                    + " it renders one picture of the scene's keyframes or animations");
         }
         if (skipExisting && overwrite) {
             throw new BadInputException("--skip-existing and --overwrite exclude each other; give one of them");
@@ -95,11 +97,13 @@ public final class FilmOptions {
     /**
      * The frames to render; empty for a single picture.
      *
+     * @param meshes of the scene, whose animations have lengths
      * @param output a film, numbered files or a picture
      */
-    public Optional<FrameRange> frames(Scene scene, MotionOptions physics, Optional<MotionFile> recorded, Path output)
+    public Optional<FrameRange> frames(
+            Scene scene, SceneMeshes meshes, MotionOptions physics, Optional<MotionFile> recorded, Path output)
             throws IOException {
-        return time.isPresent() ? single(scene, output) : framesOf(scene, physics, recorded, output);
+        return time.isPresent() ? single(scene, output) : framesOf(scene, meshes, physics, recorded, output);
     }
 
     private static boolean isNumbered(Path output) {
@@ -107,15 +111,16 @@ public final class FilmOptions {
     }
 
     private Optional<FrameRange> framesOf(
-            Scene scene, MotionOptions physics, Optional<MotionFile> recorded, Path output) throws IOException {
+            Scene scene, SceneMeshes meshes, MotionOptions physics, Optional<MotionFile> recorded, Path output)
+            throws IOException {
         boolean several = FilmFile.isFilm(output) || isNumbered(output);
         boolean moves = physics.isOn() || recorded.isPresent() || turntable.isPresent() || Animation.isIn(scene);
         if (!moves) {
             if (frames.isPresent() || physics.isTimeGiven() || several) {
                 throw new BadInputException(
                         (frames.isPresent() ? "--frames" : physics.isTimeGiven() ? "--fps and --start" : kind(output))
-                                + " requires --physics, --motion, --turntable, or a scene with keyframes: otherwise"
-                                + " nothing moves");
+                                + " requires --physics, --motion, --turntable, or a scene with keyframes or an"
+                                + " animation: otherwise nothing moves");
             }
             return Optional.empty();
         }
@@ -137,7 +142,7 @@ public final class FilmOptions {
         }
         boolean whole = several || skipExisting || overwrite;
         if (Animation.isIn(scene) && (whole || (!physics.isOn() && physics.isTimeGiven()))) {
-            return Optional.of(counted(Animation.frames(scene, rate)));
+            return Optional.of(counted(Animation.frames(scene, meshes, rate)));
         }
         if (whole) {
             throw new BadInputException((several ? kind(output) : skipExisting ? "--skip-existing" : "--overwrite")
@@ -172,7 +177,8 @@ public final class FilmOptions {
                     + "; give --frames for a part of a film");
         }
         if (!Animation.isIn(scene)) {
-            throw new BadInputException("--time requires a scene with keyframes: otherwise nothing moves");
+            throw new BadInputException(
+                    "--time requires a scene with keyframes or an animation: otherwise nothing moves");
         }
         return Optional.empty();
     }

@@ -32,8 +32,15 @@ public final class ModelOptions {
                     + " the file's default scene.")
     private String scene = "";
 
+    @Option(
+            names = "--animation",
+            paramLabel = "NAME",
+            description = "For a glTF file with animations: the one to play, by its name or its number from 0; none for"
+                    + " the mesh at rest. Default: the file's first.")
+    private Optional<String> animation = Optional.empty();
+
     public boolean areGiven() {
-        return up.isPresent() || !angles.isEmpty() || !scene.isEmpty();
+        return up.isPresent() || !angles.isEmpty() || !scene.isEmpty() || animation.isPresent();
     }
 
     /** As in {@link dev.twister.scene.Geometry.OfFile}. */
@@ -51,11 +58,11 @@ public final class ModelOptions {
             throw new BadInputException(
                     "--rotate has " + angles.size() + " angles; give YAW, or YAW,PITCH,ROLL in degrees");
         }
-        return new MeshPose(up, new Rotation(angle(0), angle(1), angle(2)));
+        return new MeshPose(up, new Rotation(angle(0), angle(1), angle(2)), animation);
     }
 
     private double angle(int index) {
         double angle = index < angles.size() ? angles.get(index) : 0;
-        return Ranges.check("--rotate", angle, SceneLimits.ANGLE.min(), SceneLimits.ANGLE.max());
+        return Ranges.check("--rotate", angle, SceneLimits.ANGLE);
     }
 }

@@ -14,7 +14,7 @@ import picocli.CommandLine.TypeConversionException;
 public final class PictureOptions {
     @Option(
             names = "--stage",
-            paramLabel = "NAME",
+            paramLabel = "STAGE",
             converter = PictureConverter.OfStage.class,
             completionCandidates = Completions.OfStage.class,
             description = "Stop at a stage of the picture: ${COMPLETION-CANDIDATES} (the full picture).")
@@ -22,7 +22,7 @@ public final class PictureOptions {
 
     @Option(
             names = "--view",
-            paramLabel = "NAME",
+            paramLabel = "VIEW",
             split = ",",
             converter = PictureConverter.OfView.class,
             completionCandidates = Completions.OfView.class,

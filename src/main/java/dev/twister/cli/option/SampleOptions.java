@@ -2,6 +2,7 @@ package dev.twister.cli.option;
 
 import dev.twister.cli.file.BadInputException;
 import dev.twister.render.Sampling;
+import dev.twister.scene.Rendering;
 import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Optional;
@@ -14,8 +15,8 @@ public final class SampleOptions {
     @Option(
             names = "--samples",
             paramLabel = "N",
-            description = "View rays per pixel, 1 to " + Sampling.MOST + "; with --noise, the limit (default: "
-                    + Sampling.USUAL_LIMIT + ").")
+            description = "View rays per pixel, 1 to " + Rendering.MAX_SAMPLES_PER_PIXEL
+                    + "; with --noise, the limit (default: " + Sampling.USUAL_LIMIT + ").")
     private Optional<Integer> samples = Optional.empty();
 
     @Option(
@@ -53,7 +54,7 @@ public final class SampleOptions {
                         noise.isPresent() ? "--samples with --noise" : "--samples",
                         samples.orElse(noise.isPresent() ? Sampling.USUAL_LIMIT : usual),
                         least,
-                        Sampling.MOST),
+                        Rendering.MAX_SAMPLES_PER_PIXEL),
                 noise.map(bound -> Ranges.check("--noise", bound, LEAST_NOISE, 1)));
     }
 }

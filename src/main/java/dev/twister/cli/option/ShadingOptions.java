@@ -22,8 +22,7 @@ public final class ShadingOptions {
 
     @Option(
             names = "--integrator",
-            paramLabel = "NAME",
-            completionCandidates = Completions.OfIntegrator.class,
+            paramLabel = "INTEGRATOR",
             description = "How light is followed: whitted (reflections and shadows) or path (path tracing).")
     private Optional<Integrator> integrator = Optional.empty();
 
@@ -37,22 +36,10 @@ public final class ShadingOptions {
 
     /** The settings with what the options say. */
     public Rendering over(Rendering usual) {
-        return usual.withShadowSamples(shadowSamplesOr(usual.shadowSamples()))
-                .withBounces(bouncesOr(usual.bounces()))
-                .withIntegrator(integrator.orElse(usual.integrator()))
-                .withClamp(Ranges.check(
-                        "--clamp",
-                        clamp.orElse(usual.clamp()),
-                        SceneProperties.CLAMP.range().min(),
-                        SceneProperties.CLAMP.range().max()));
-    }
-
-    public int shadowSamplesOr(int usual) {
-        return Ranges.check("--shadow-samples", shadowSamples.orElse(usual), 1, Rendering.MAX_SHADOW_SAMPLES);
-    }
-
-    public int bouncesOr(int usual) {
-        return Ranges.check("--bounces", bounces.orElse(usual), 0, Rendering.MAX_BOUNCES);
+        Rendering shaded = Ranges.over(usual, "--shadow-samples", shadowSamples, SceneProperties.SHADOW_SAMPLES);
+        shaded = Ranges.over(shaded, "--bounces", bounces, SceneProperties.BOUNCES);
+        shaded = Ranges.over(shaded, "--integrator", integrator, SceneProperties.INTEGRATOR);
+        return Ranges.over(shaded, "--clamp", clamp, SceneProperties.CLAMP);
     }
 
     public boolean areGiven() {

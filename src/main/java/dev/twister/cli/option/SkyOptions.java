@@ -29,10 +29,8 @@ public final class SkyOptions {
         Sky own = scene.sky();
         Scene turned = rotation.isPresent() ? scene.withoutTrack(TrackTarget.SKY, "rotation") : scene;
         Scene fixed = strength.isPresent() ? turned.withoutTrack(TrackTarget.SKY, "strength") : turned;
-        return fixed.withSky(new Sky(
-                skybox.orElse(own.file()),
-                Ranges.check(
-                        "--sky-rotation", rotation.orElse(own.rotationDegrees()), SceneProperties.SKY_ROTATION.range()),
-                Ranges.check("--sky-strength", strength.orElse(own.strength()), SceneProperties.SKY_STRENGTH.range())));
+        Sky sky = Ranges.over(
+                own.withFile(skybox.orElse(own.file())), "--sky-rotation", rotation, SceneProperties.SKY_ROTATION);
+        return fixed.withSky(Ranges.over(sky, "--sky-strength", strength, SceneProperties.SKY_STRENGTH));
     }
 }

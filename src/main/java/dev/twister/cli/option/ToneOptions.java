@@ -6,6 +6,7 @@ import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.TrackTarget;
+import dev.twister.scene.property.SceneProperties;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
@@ -22,11 +23,7 @@ public final class ToneOptions {
                     + " first frame. .hdr and .exr files keep the radiance.")
     private Optional<Exposure> exposure = Optional.empty();
 
-    @Option(
-            names = "--tone-map",
-            paramLabel = "NAME",
-            completionCandidates = Completions.OfToneMap.class,
-            description = "clamp, reinhard or aces.")
+    @Option(names = "--tone-map", paramLabel = "MAP", description = "clamp, reinhard or aces.")
     private Optional<ToneMap> toneMap = Optional.empty();
 
     @Option(names = "--srgb", negatable = true, description = "Apply the sRGB transfer function after tone mapping.")
@@ -34,13 +31,11 @@ public final class ToneOptions {
 
     /** An exposure of auto is left as it is, for {@link #metered}. */
     public Rendering over(Rendering settings) {
-        double stops = Ranges.check(
-                "--exposure",
-                exposure.flatMap(given -> given.stops().stream().boxed().findFirst())
-                        .orElse(settings.exposure()),
-                -Rendering.MAX_EXPOSURE_STOPS,
-                Rendering.MAX_EXPOSURE_STOPS);
-        return settings.withTone(stops, toneMap.orElse(settings.toneMap()), srgb.orElse(settings.srgb()));
+        Optional<Double> stops =
+                exposure.flatMap(given -> given.stops().stream().boxed().findFirst());
+        Rendering toned = Ranges.over(settings, "--exposure", stops, SceneProperties.EXPOSURE);
+        toned = Ranges.over(toned, "--tone-map", toneMap, SceneProperties.TONE_MAP);
+        return Ranges.over(toned, "--srgb", srgb, SceneProperties.SRGB);
     }
 
     /** The scene without the track of the exposure, if the options say it. */

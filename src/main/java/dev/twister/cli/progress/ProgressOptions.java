@@ -1,6 +1,5 @@
 package dev.twister.cli.progress;
 
-import dev.twister.cli.option.ChoiceConverter;
 import java.io.PrintWriter;
 import java.util.Optional;
 import picocli.CommandLine;
@@ -17,7 +16,6 @@ public final class ProgressOptions {
     @Option(
             names = "--progress",
             paramLabel = "FORM",
-            converter = FormConverter.class,
             description =
                     "bar: a bar on a terminal (default); lines: openjd_progress and openjd_status lines on standard"
                             + " output, for schedulers.")
@@ -37,15 +35,5 @@ public final class ProgressOptions {
         return areLines()
                 ? ProgressLine.of(new StatusLines(out, task, steps, System::nanoTime))
                 : ProgressLine.start(command.getErr(), task, steps);
-    }
-
-    /** Reads the forms' names. */
-    static final class FormConverter implements CommandLine.ITypeConverter<Form> {
-        private final ChoiceConverter<Form> choices = new ChoiceConverter<>(Form.class);
-
-        @Override
-        public Form convert(String text) {
-            return choices.convert(text);
-        }
     }
 }

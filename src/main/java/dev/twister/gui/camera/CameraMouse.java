@@ -1,6 +1,8 @@
 package dev.twister.gui.camera;
 
 import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Camera;
+import dev.twister.scene.CameraProjection;
 import dev.twister.scene.property.CameraProperties;
 import dev.twister.world.animation.CameraMotion;
 import java.util.Locale;
@@ -23,6 +25,9 @@ import javafx.util.Duration;
  * that other handlers of the picture consume do not arrive here.
  */
 public final class CameraMouse {
+    /** From the upper to the lower border. */
+    private static final double DEGREES_OF_A_PANORAMA = 180;
+
     private final Node picture;
     private final Studio studio;
     /** Turning the wheel after this time starts a new undo step. */
@@ -66,10 +71,12 @@ public final class CameraMouse {
         pointer.ifPresent(hidden -> {
             picture.setCursor(Cursor.NONE);
             // The middle of the picture moves about as far as the pointer.
-            double side = Math.min(
-                    picture.getLayoutBounds().getWidth(),
-                    picture.getLayoutBounds().getHeight());
-            double degrees = studio.scene().camera().fieldOfViewDegrees() / Math.max(1, side);
+            double height = picture.getLayoutBounds().getHeight();
+            double side = Math.min(picture.getLayoutBounds().getWidth(), height);
+            Camera seen = studio.scene().camera();
+            double degrees = seen.projection() == CameraProjection.PANORAMA
+                    ? DEGREES_OF_A_PANORAMA / Math.max(1, height)
+                    : seen.fieldOfViewDegrees() / Math.max(1, side);
             Point2D moved = hidden.movedTo(place(event)).multiply(degrees);
             studio.moveCamera(camera -> CameraMotion.look(camera, moved.getX(), moved.getY()));
         });
@@ -85,7 +92,12 @@ public final class CameraMouse {
         if (event.getDeltaY() != 0) {
             double notches = event.getDeltaY() / event.getMultiplierY();
             studio.edit(
-                    CameraProperties.FIELD_OF_VIEW.row().label().toLowerCase(Locale.ROOT),
+                    (studio.scene().camera().projection() == CameraProjection.ORTHOGRAPHIC
+                                    ? CameraProperties.VIEW_HEIGHT
+                                    : CameraProperties.FIELD_OF_VIEW)
+                            .row()
+                            .label()
+                            .toLowerCase(Locale.ROOT),
                     scene -> scene.withCamera(CameraMotion.zoom(scene.camera(), notches)));
             turning.playFromStart();
         }

@@ -12,7 +12,6 @@ import dev.twister.gui.studio.Studio;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;
 import dev.twister.scene.property.SceneLimits;
-import dev.twister.world.Animation;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -144,6 +143,8 @@ public final class FilmBar extends HBox {
         film.secondsProperty().subscribe(_ -> show());
         film.playingProperty().subscribe(playing -> play.setText(playing ? "Stop" : Command.PLAY.label()));
         studio.sceneProperty().subscribe(this::follow);
+        // The length of an animation is known once its file has been read.
+        studio.pictureProperty().subscribe(_ -> follow(studio.scene()));
     }
 
     /** The time line, which is in this bar. */
@@ -163,14 +164,14 @@ public final class FilmBar extends HBox {
     }
 
     private void follow(Scene scene) {
-        if (!scene.camera().keyframes().equals(shown) || Animation.length(scene) != lastSeconds) {
+        if (!scene.camera().keyframes().equals(shown) || film.length() != lastSeconds) {
             show();
         }
     }
 
     private void show() {
         shown = film.keyframes();
-        lastSeconds = Animation.length(studio.scene());
+        lastSeconds = film.length();
         showing = true;
         showRange();
         slider.setValue(film.secondsProperty().get());

@@ -10,6 +10,7 @@ import dev.twister.scene.Easing;
 import dev.twister.scene.Keyframe;
 import dev.twister.scene.Scene;
 import dev.twister.scene.TrackTarget;
+import dev.twister.world.Animation;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
@@ -38,6 +39,10 @@ import javafx.scene.paint.Color;
 final class KeyframeLane extends Pane {
     private static final double HALF = 5;
     private static final double INSET = 8;
+
+    /** From the top and the bottom of the lane to a bar. */
+    private static final double BAR = 6;
+
     private static final double REACH = 7;
     private static final double HEIGHT = 20;
 
@@ -111,12 +116,26 @@ final class KeyframeLane extends Pane {
         pen.fillRect(0, 0, getWidth(), HEIGHT);
         pen.setStroke(isFocused() ? PRESENT : LINE);
         pen.strokeLine(INSET, HEIGHT / 2, getWidth() - INSET, HEIGHT / 2);
+        drawTurn(pen);
         pen.setStroke(PRESENT);
         double present = x(studio.film().secondsProperty().get());
         pen.strokeLine(present, 0, present, HEIGHT);
         for (double time : times) {
             pen.setFill(isSelected(time) ? SELECTED : MARK);
             drawMark(pen, x(time), easing(time));
+        }
+    }
+
+    /** A bar as long as one turn of a mesh's animation, or what is left of it. */
+    private void drawTurn(GraphicsContext pen) {
+        if (target.kind() == TrackTarget.Kind.MESH
+                && target.index() < shown.meshes().size()) {
+            double turn = Animation.turn(
+                    shown.meshes().get(target.index()), studio.bodies().meshes());
+            if (turn > 0) {
+                pen.setFill(LINE);
+                pen.fillRect(x(0), BAR, x(Math.min(turn, seconds.get())) - x(0), HEIGHT - 2 * BAR);
+            }
         }
     }
 

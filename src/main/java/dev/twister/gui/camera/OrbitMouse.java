@@ -113,6 +113,11 @@ public final class OrbitMouse {
         Camera camera = studio.scene().camera();
         double distance = pivot.minus(camera.position()).length();
         double side = Math.max(1, Math.min(view.getWidth(), view.getHeight()));
-        return 2 * distance * Math.tan(Math.toRadians(camera.fieldOfViewDegrees()) / 2) / side;
+        return switch (camera.projection()) {
+            case PERSPECTIVE -> 2 * distance * Math.tan(Math.toRadians(camera.fieldOfViewDegrees()) / 2) / side;
+            case ORTHOGRAPHIC -> camera.viewHeight() / Math.max(1, view.getHeight());
+            case PANORAMA -> Math.PI * distance / Math.max(1, view.getHeight());
+            case FISHEYE -> distance * Math.toRadians(camera.fieldOfViewDegrees()) / side;
+        };
     }
 }

@@ -88,9 +88,9 @@ final class CurrentWorld implements AutoCloseable {
                 .orElseGet(() -> new SceneImages(sky, textures.of(shown, atHand)));
     }
 
-    /** The meshes of the last snapshot, if its scene has any. */
+    /** The meshes of the last snapshot, if its scene has any, as they are there in their animations. */
     SceneMeshes meshes() {
-        return shownMeshes;
+        return world.map(World::meshes).orElse(SceneMeshes.NONE);
     }
 
     /** Why the scene's sky, a mesh or a texture is not shown, if one is not. */

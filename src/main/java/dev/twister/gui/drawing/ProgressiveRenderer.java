@@ -27,6 +27,9 @@ final class ProgressiveRenderer implements AutoCloseable {
     /** Divisor of the sides of the first picture. */
     private static final int COARSEST = 8;
 
+    /** A picture with more is first drawn with these. */
+    private static final int MOST_SAMPLES_AT_ONCE = 64;
+
     /** A refined picture with fewer samples may look worse than the plain one. */
     private static final int FEWEST_REFINED_SAMPLES = 4;
 
@@ -109,11 +112,13 @@ final class ProgressiveRenderer implements AutoCloseable {
 
     /** Numbers need one sample: the mean of two bodies' numbers is the number of a third. */
     private FrameInput showing(StageOrView shown, FrameInput input) {
-        if (shown == StageOrView.BEAUTY) {
-            // A sample takes long; at rest, more of them are gathered.
-            return input.tracesPaths() && watcher.isEmpty() ? input.withSamples(0, 1) : input;
+        FrameInput seen = shown == StageOrView.BEAUTY ? input : input.showing(shown);
+        if (!shown.isColor()) {
+            return seen.withSamples(0, 1);
         }
-        return shown.isColor() ? input.showing(shown) : input.showing(shown).withSamples(0, 1);
+        // At rest, more samples are gathered. One of a path takes long.
+        int most = shown == StageOrView.BEAUTY && input.tracesPaths() ? 1 : MOST_SAMPLES_AT_ONCE;
+        return watcher.isEmpty() && seen.samplesPerPixel() > most ? seen.withSamples(0, most) : seen;
     }
 
     /** Takes one step for the prepared request; returns whether there is another. */

@@ -66,6 +66,9 @@ public enum MaterialPreset {
     }
 
     private static Material clear(Material old, double roughness, double ior) {
-        return dielectric(old, roughness).withTransmission(1).withIor(ior);
+        return dielectric(old, roughness)
+                .withColor(new Rgb(1, 1, 1))
+                .withTransmission(1)
+                .withIor(ior);
     }
 }

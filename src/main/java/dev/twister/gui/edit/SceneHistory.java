@@ -112,6 +112,7 @@ public final class SceneHistory {
     private boolean isOnlySeenFromElsewhere(Scene edited) {
         Camera camera = edited.camera();
         return camera.fieldOfViewDegrees() == present.camera().fieldOfViewDegrees()
+                && camera.viewHeight() == present.camera().viewHeight()
                 && CameraRig.of(camera).equals(CameraRig.of(present.camera()))
                 && edited.withCamera(present.camera()).equals(present);
     }
@@ -202,13 +203,17 @@ public final class SceneHistory {
     }
 
     private Camera camera(Step step) {
-        double from = step.from().camera().fieldOfViewDegrees();
-        double to = step.to().camera().fieldOfViewDegrees();
-        Camera turned = from == to ? present.camera() : present.camera().withFieldOfViewDegrees(to);
+        Camera from = step.from().camera();
+        Camera to = step.to().camera();
+        Camera turned = present.camera();
+        if (from.fieldOfViewDegrees() != to.fieldOfViewDegrees()) {
+            turned = turned.withFieldOfViewDegrees(to.fieldOfViewDegrees());
+        }
+        if (from.viewHeight() != to.viewHeight()) {
+            turned = turned.withViewHeight(to.viewHeight());
+        }
         return CameraRig.of(present.camera())
-                .edited(
-                        CameraRig.of(step.from().camera()),
-                        CameraRig.of(step.to().camera()))
+                .edited(CameraRig.of(from), CameraRig.of(to))
                 .on(turned);
     }
 

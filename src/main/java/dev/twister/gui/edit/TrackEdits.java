@@ -30,13 +30,18 @@ public final class TrackEdits {
 
     private TrackEdits() {}
 
-    /** What has keyframes: the camera, then all others in the order of their tracks. */
+    /** What moves: the camera, all others in the order of their tracks, then meshes that play an animation. */
     public static List<TrackTarget> targets(Scene scene) {
         Set<TrackTarget> targets = new LinkedHashSet<>();
         if (!scene.camera().keyframes().isEmpty()) {
             targets.add(TrackTarget.CAMERA);
         }
         scene.tracks().forEach(track -> targets.add(track.target()));
+        for (int index = 0; index < scene.meshes().size(); index++) {
+            if (!scene.meshes().get(index).animation().isNone()) {
+                targets.add(TrackTarget.mesh(index));
+            }
+        }
         return List.copyOf(targets);
     }
 

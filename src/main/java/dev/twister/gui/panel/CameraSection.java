@@ -3,6 +3,10 @@ package dev.twister.gui.panel;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Scene;
+import dev.twister.scene.property.CameraProperties;
+import dev.twister.scene.property.Property;
 import dev.twister.world.animation.CameraMotion;
 import java.util.List;
 import java.util.stream.Stream;
@@ -13,12 +17,14 @@ final class CameraSection {
     private static final List<Double> SPEEDS = List.of(0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0);
 
     private final Studio studio;
-    private final List<NumberRow> numbers;
+    private final List<PropertyRow> rows;
     private final ChoiceRow<Double> speed;
 
     CameraSection(Studio studio) {
         this.studio = studio;
-        numbers = NumberRow.of(PropertyNumbers.ofCamera(), studio);
+        rows = CameraProperties.ALL.stream()
+                .flatMap(property -> rows(property, studio))
+                .toList();
         speed = new ChoiceRow<>(
                 "Speed",
                 "Walking speed in meters per second; Shift is 4 times as fast.",
@@ -34,11 +40,19 @@ final class CameraSection {
         studio.document().originalProperty().subscribe(_ -> refresh());
     }
 
+    private static <V> Stream<PropertyRow> rows(Property<Camera, V> property, Studio studio) {
+        Stream<PropertyRow> own = PropertyRow.of(property.within(Scene::camera, Scene::withCamera), studio);
+        return property.equals(CameraProperties.FIELD_OF_VIEW)
+                ? Stream.concat(own, Stream.of(PropertyRow.of(property, PropertyNumbers.focalLength(), studio)))
+                : own;
+    }
+
     List<PanelRow> rows() {
-        return Stream.concat(numbers.stream(), Stream.of(speed)).toList();
+        return Stream.concat(rows.stream().map(PropertyRow::row), Stream.of(speed))
+                .toList();
     }
 
     private void refresh() {
-        numbers.forEach(row -> row.show(studio.scene(), studio.document().original()));
+        rows.forEach(row -> row.show(studio.scene(), studio.document().original()));
     }
 }

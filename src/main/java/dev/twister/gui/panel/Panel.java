@@ -13,6 +13,7 @@ import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.HistogramView;
 import dev.twister.gui.studio.BackgroundTasks;
+import dev.twister.gui.studio.Denoising;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
@@ -221,8 +222,8 @@ public final class Panel extends ScrollPane {
         }
     }
 
-    /** Resets the engine, the resolution, the scene and refinement. */
-    public static void resetAll(Studio studio, EngineList engines, String usualEngine) {
+    /** Resets the engine, the resolution, the scene, refinement and denoising. */
+    public static void resetAll(Studio studio, BackgroundTasks tasks, EngineList engines, String usualEngine) {
         // First, because an edit of moving bodies keeps their places.
         studio.motion().setOn(false);
         studio.edit(
@@ -237,6 +238,9 @@ public final class Panel extends ScrollPane {
         studio.setShown(StageOrView.BEAUTY);
         studio.refiningProperty().set(true);
         studio.noiseGoalProperty().set(0.0);
+        if (studio.denoiserProperty().get().isEmpty()) {
+            Denoising.start(studio, tasks, _ -> {});
+        }
         if (!studio.engineProperty().get().offer().id().equals(usualEngine)) {
             engines.find(usualEngine).ifPresent(studio::chooseEngine);
         }

@@ -1,6 +1,7 @@
 package dev.twister.gui.picking;
 
 import dev.twister.gui.edit.Axis;
+import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.property.SceneLimits;
@@ -9,7 +10,8 @@ import java.util.Optional;
 
 /**
  * Moves a body with the pointer, in the plane through its middle that faces the camera: its distance from the camera,
- * along the view direction, stays, and so does the spot under the pointer.
+ * along the view direction, stays, and so does the spot under the pointer. In panoramas and with a fisheye it is moved
+ * on a sphere about the camera.
  */
 public final class BodyDrag {
     /** Meters: half a square of the plane. */
@@ -36,10 +38,13 @@ public final class BodyDrag {
      */
     public static BodyDrag start(FrameInput input, Vector3 place, Vector3 middle, double x, double y) {
         float[] camera = input.view().frame();
-        Vector3 seen = input.bodies().seen(middle);
-        double depth = (seen.x() - camera[Layout.CAMERA_POSITION]) * camera[Layout.CAMERA_FORWARD]
-                + (seen.y() - camera[Layout.CAMERA_POSITION + 1]) * camera[Layout.CAMERA_FORWARD + 1]
-                + (seen.z() - camera[Layout.CAMERA_POSITION + 2]) * camera[Layout.CAMERA_FORWARD + 2];
+        Vector3 away = input.bodies()
+                .seen(middle)
+                .minus(new Vector3(
+                        camera[Layout.CAMERA_POSITION],
+                        camera[Layout.CAMERA_POSITION + 1],
+                        camera[Layout.CAMERA_POSITION + 2]));
+        double depth = isRound(input) ? away.length() : away.dot(forward(input));
         Vector3 held = pointAt(input, depth, x, y);
         return new BodyDrag(depth, place, place.minus(held));
     }
@@ -76,13 +81,20 @@ public final class BodyDrag {
     }
 
     private static Vector3 pointAt(FrameInput input, double depth, double x, double y) {
-        float[] camera = input.view().frame();
         PointerRay ray = PointerRay.through(input, x, y);
         // Above 0 for every pixel: the field of view is below 180 degrees.
-        double forward = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            forward += ray.direction(axis) * camera[Layout.CAMERA_FORWARD + axis];
-        }
+        double forward = isRound(input) ? 1 : ray.direction().dot(forward(input));
         return ray.along(depth / forward);
+    }
+
+    /** Whether the picture has no plane that faces the camera, but spheres about it. */
+    private static boolean isRound(FrameInput input) {
+        return input.view().frame()[Layout.CAMERA_PROJECTION] > CameraRay.ORTHOGRAPHIC;
+    }
+
+    private static Vector3 forward(FrameInput input) {
+        float[] camera = input.view().frame();
+        return new Vector3(
+                camera[Layout.CAMERA_FORWARD], camera[Layout.CAMERA_FORWARD + 1], camera[Layout.CAMERA_FORWARD + 2]);
     }
 }

@@ -122,6 +122,8 @@ public record PointerRay(float[] path, int body, Bodies bodies) {
         for (int axis = 0; axis < 3; axis++) {
             cosine += ray.direction(axis) * camera[Layout.CAMERA_FORWARD + axis];
         }
-        return CameraProperties.FOCUS_DISTANCE.range().clamp(ray.distance() * cosine);
+        // A panorama or a fisheye has no plane in focus.
+        double ahead = camera[Layout.CAMERA_PROJECTION] > CameraRay.ORTHOGRAPHIC ? 1 : cosine;
+        return CameraProperties.FOCUS_DISTANCE.range().clamp(ray.distance() * ahead);
     }
 }

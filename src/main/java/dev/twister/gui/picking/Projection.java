@@ -1,14 +1,19 @@
 package dev.twister.gui.picking;
 
+import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 
-/** Where points of the scene are in a picture, by the inverse of what {@link dev.twister.kernel.CameraRay} does. */
+/** Where points of the scene are in a picture, by the inverse of what {@link CameraRay} does. */
 public final class Projection {
     /** Meters before the camera from which on a line is seen. */
     private static final double NEAREST = 1e-3;
 
+    /** Meters, beside which what is seen is small. */
+    private static final double FAR_METERS = 1e6;
+
+    private final int kind;
     private final float[] camera;
     private final Vector3 origin;
     private final int width;
@@ -16,6 +21,7 @@ public final class Projection {
 
     private Projection(FrameInput input) {
         camera = input.view().frame();
+        kind = (int) camera[Layout.CAMERA_PROJECTION];
         origin = input.bodies().origin();
         width = input.width();
         height = input.height();
@@ -25,12 +31,13 @@ public final class Projection {
         return new Projection(input);
     }
 
-    /** The camera's position in the scene. */
+    /** The point in the scene to which view rays come together; far behind the camera where they are parallel. */
     Vector3 viewpoint() {
+        double behind = kind == CameraRay.ORTHOGRAPHIC ? FAR_METERS : 0;
         return new Vector3(
-                origin.x() + camera[Layout.CAMERA_POSITION],
-                origin.y() + camera[Layout.CAMERA_POSITION + 1],
-                origin.z() + camera[Layout.CAMERA_POSITION + 2]);
+                origin.x() + camera[Layout.CAMERA_POSITION] - behind * camera[Layout.CAMERA_FORWARD],
+                origin.y() + camera[Layout.CAMERA_POSITION + 1] - behind * camera[Layout.CAMERA_FORWARD + 1],
+                origin.z() + camera[Layout.CAMERA_POSITION + 2] - behind * camera[Layout.CAMERA_FORWARD + 2]);
     }
 
     /** The unit vector to the right of the picture. */
@@ -42,32 +49,55 @@ public final class Projection {
     /** x and y of a point, in pixels from the upper left corner; empty if it is behind the camera. */
     public double[] point(Vector3 place) {
         double[] seen = seen(place);
-        return seen[2] < NEAREST ? new double[0] : pixel(seen);
+        return isBehind(seen) ? new double[0] : pixel(seen);
     }
 
     /** What a meter across the view comes to at a place before the camera. */
     double pixelsPerMeter(Vector3 place) {
-        return camera[Layout.CAMERA_EYE_DISTANCE] / seen(place)[2] * Math.min(width, height) / 2;
+        double[] seen = seen(place);
+        return switch (kind) {
+            case CameraRay.PERSPECTIVE -> camera[Layout.CAMERA_EYE_DISTANCE] / seen[2] * Math.min(width, height) / 2;
+            case CameraRay.ORTHOGRAPHIC -> height / camera[Layout.CAMERA_VIEW_HEIGHT];
+            case CameraRay.PANORAMA -> height / (Math.PI * length(seen));
+            default -> Math.min(width, height) / 2.0 / (halfField() * length(seen));
+        };
     }
 
-    /** x and y of both ends of a line's visible part; empty if it is behind the camera. */
+    /**
+     * x and y of both ends of a line's visible part; empty if it is behind the camera, or goes over a panorama's
+     * border.
+     */
     public double[] line(Vector3 from, Vector3 to) {
         double[] start = seen(from);
         double[] end = seen(to);
-        if (start[2] < NEAREST && end[2] < NEAREST) {
+        if (isBehind(start) && isBehind(end)) {
             return new double[0];
         }
-        double[] first = pixel(start[2] < NEAREST ? cut(end, start) : start);
-        double[] last = pixel(end[2] < NEAREST ? cut(start, end) : end);
-        return new double[] {first[0], first[1], last[0], last[1]};
+        double[] first = pixel(isBehind(start) ? cut(end, start) : start);
+        double[] last = pixel(isBehind(end) ? cut(start, end) : end);
+        boolean overTheBorder = kind == CameraRay.PANORAMA && Math.abs(first[0] - last[0]) > width / 2.0;
+        return overTheBorder ? new double[0] : new double[] {first[0], first[1], last[0], last[1]};
     }
 
-    /** The inverse of {@link dev.twister.kernel.CameraRay#u}. */
+    private boolean isBehind(double[] seen) {
+        return kind <= CameraRay.ORTHOGRAPHIC && seen[2] < NEAREST;
+    }
+
+    /** Half the angle of a fisheye over the shorter side, in radians. */
+    private double halfField() {
+        return 2 * Math.PI * camera[Layout.CAMERA_HALF_FIELD];
+    }
+
+    private static double length(double[] seen) {
+        return Math.max(NEAREST, Math.hypot(Math.hypot(seen[0], seen[1]), seen[2]));
+    }
+
+    /** The inverse of {@link CameraRay#u}. */
     private static double x(double u, int width, int height) {
         return width > height ? (u + 1) / 2 * height + (width - height) / 2.0 : (u + 1) / 2 * width;
     }
 
-    /** The inverse of {@link dev.twister.kernel.CameraRay#v}. */
+    /** The inverse of {@link CameraRay#v}. */
     private static double y(double v, int width, int height) {
         return width > height ? (1 - v) / 2 * height : (1 - v) / 2 * width + (height - width) / 2.0;
     }
@@ -82,7 +112,23 @@ public final class Projection {
     }
 
     private double[] pixel(double[] seen) {
-        double scale = camera[Layout.CAMERA_EYE_DISTANCE] / seen[2];
+        double across = Math.hypot(seen[0], seen[1]);
+        return switch (kind) {
+            case CameraRay.PERSPECTIVE -> pixel(seen, camera[Layout.CAMERA_EYE_DISTANCE] / seen[2]);
+            case CameraRay.ORTHOGRAPHIC -> {
+                double scale = height / camera[Layout.CAMERA_VIEW_HEIGHT];
+                yield new double[] {width / 2.0 + scale * seen[0], height / 2.0 - scale * seen[1]};
+            }
+            case CameraRay.PANORAMA ->
+                new double[] {
+                    (0.5 + Math.atan2(seen[0], seen[2]) / (2 * Math.PI)) * width,
+                    (0.5 - Math.atan2(seen[1], Math.hypot(seen[0], seen[2])) / Math.PI) * height
+                };
+            default -> pixel(seen, across == 0 ? 0 : Math.atan2(across, seen[2]) / halfField() / across);
+        };
+    }
+
+    private double[] pixel(double[] seen, double scale) {
         return new double[] {x(scale * seen[0], width, height), y(scale * seen[1], width, height)};
     }
 

@@ -3,6 +3,7 @@ package dev.twister.gui.property;
 import dev.twister.gui.edit.Axis;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
+import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
@@ -31,17 +32,16 @@ public final class DerivedNumbers {
     /** Of the angle, so that the same length leads to the same angle. */
     private static final int DECIMALS = 12;
 
+    private static final Range PERSPECTIVE = CameraProperties.fieldOfView(CameraProjection.PERSPECTIVE);
+
     static final NumberProperty<Camera> FOCAL_LENGTH = new NumberProperty<>(
             "Focal length",
             "The field of view as the focal length of a lens on 35 mm film, whose frame is 24 mm high.",
             "",
             new NumberScale(
-                    new Range(
-                            focalLength(CameraProperties.FIELD_OF_VIEW.range().max()),
-                            focalLength(CameraProperties.FIELD_OF_VIEW.range().min()),
-                            "mm"),
+                    new Range(focalLength(PERSPECTIVE.max()), focalLength(PERSPECTIVE.min()), "mm"),
                     Slide.logarithmic(8, 200, 1, "mm")),
-            camera -> focalLength(camera.fieldOfViewDegrees()),
+            camera -> focalLength(PERSPECTIVE.clamp(camera.fieldOfViewDegrees())),
             (camera, millimeters) -> camera.withFieldOfViewDegrees(fieldOfView(millimeters)));
 
     public static final NumberProperty<Light> BRIGHTNESS = new NumberProperty<>(

@@ -77,16 +77,10 @@ public final class PropertyNumbers {
         return property.count() == 1 ? "" : (property.type() instanceof PropertyType.Turn ? ANGLES : AXES).get(index);
     }
 
-    /** The numbers of the camera, in the order of the rows: the focal length follows the field of view. */
-    public static List<NumberProperty<Scene>> ofCamera() {
-        return CameraProperties.ALL.stream()
-                .flatMap(property -> Stream.concat(
-                        of(property).stream(),
-                        property.equals(CameraProperties.FIELD_OF_VIEW)
-                                ? Stream.of(DerivedNumbers.FOCAL_LENGTH)
-                                : Stream.empty()))
-                .map(number -> number.in(Scene::camera, (scene, edit) -> scene.withCamera(edit.apply(scene.camera()))))
-                .toList();
+    /** The field of view as a focal length. */
+    public static NumberProperty<Scene> focalLength() {
+        return DerivedNumbers.FOCAL_LENGTH.in(
+                Scene::camera, (scene, edit) -> scene.withCamera(edit.apply(scene.camera())));
     }
 
     /**
@@ -118,7 +112,12 @@ public final class PropertyNumbers {
     private static List<NumberProperty<Scene>> ofMesh(Mesh mesh, int body) {
         Stream<NumberProperty<Mesh>> smooth =
                 mesh.file().isPresent() ? of(BodyProperties.SMOOTH).stream() : Stream.empty();
-        return Stream.of(of(BodyProperties.MESH).stream(), smooth, DerivedNumbers.sides(mesh))
+        Stream<NumberProperty<Mesh>> animation = mesh.animation().isNone()
+                ? Stream.empty()
+                : of(BodyProperties.ANIMATION).stream()
+                        .map(number -> number.in(
+                                Mesh::animation, (whole, edit) -> whole.withAnimation(edit.apply(whole.animation()))));
+        return Stream.of(of(BodyProperties.MESH).stream(), smooth, animation, DerivedNumbers.sides(mesh))
                 .flatMap(numbers -> numbers)
                 .map(number -> number.<Scene>in(
                         scene -> BodyEdits.mesh(scene, body), (scene, edit) -> BodyEdits.editedMesh(scene, body, edit)))

@@ -7,6 +7,7 @@ import dev.twister.render.FrameRange;
 import dev.twister.scene.Scene;
 import dev.twister.scene.property.Range;
 import dev.twister.world.Animation;
+import dev.twister.world.SceneMeshes;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -31,6 +32,7 @@ final class FilmFields {
     private final HBox frames;
 
     private Optional<Scene> filmed = Optional.empty();
+    private SceneMeshes meshes = SceneMeshes.NONE;
     private boolean showing;
 
     /** Whether the last frame follows the film's own end. */
@@ -76,9 +78,14 @@ final class FilmFields {
         whole = true;
     }
 
-    /** Offers the motions that a scene has. */
-    void follow(Scene scene) {
+    /**
+     * Offers the motions that a scene has.
+     *
+     * @param shown the scene's meshes
+     */
+    void follow(Scene scene, SceneMeshes shown) {
         filmed = Optional.of(scene);
+        meshes = shown;
         List<FilmMotion> motions = FilmMotion.of(scene);
         motion.offer(motions, motions.stream().findFirst());
         showEnd();
@@ -123,8 +130,8 @@ final class FilmFields {
 
     private double count(double framesPerSecond) {
         boolean path = motion.choice().filter(FilmMotion::followsKeyframes).isPresent();
-        return filmed.filter(scene -> path && Animation.length(scene) > 0)
-                .map(scene -> (double) Animation.frames(scene, framesPerSecond))
+        return filmed.filter(scene -> path && Animation.length(scene, meshes) > 0)
+                .map(scene -> (double) Animation.frames(scene, meshes, framesPerSecond))
                 .orElse(Math.rint(USUAL_SECONDS * framesPerSecond) + 1);
     }
 

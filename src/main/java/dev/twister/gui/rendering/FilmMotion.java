@@ -2,6 +2,7 @@ package dev.twister.gui.rendering;
 
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
+import dev.twister.world.Animation;
 import java.util.Arrays;
 import java.util.List;
 
@@ -29,7 +30,8 @@ public enum FilmMotion {
     /** What can move in a scene; empty if nothing can. */
     public static List<FilmMotion> of(Scene scene) {
         boolean path = scene.camera().keyframes().size() >= FEWEST_KEYFRAMES
-                || scene.tracks().stream().anyMatch(track -> track.keyframes().size() >= FEWEST_KEYFRAMES);
+                || scene.tracks().stream().anyMatch(track -> track.keyframes().size() >= FEWEST_KEYFRAMES)
+                || Animation.isOfMeshes(scene);
         boolean bodies = !scene.spheres().isEmpty() || scene.pour().isPresent();
         boolean falls = bodies && !scene.physics().gravity().equals(NONE);
         return Arrays.stream(values())

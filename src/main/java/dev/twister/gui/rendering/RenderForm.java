@@ -124,7 +124,7 @@ final class RenderForm extends GridPane {
             shadows.show(scene.rendering().shadowSamples());
             films.startAnew();
         }
-        films.follow(scene);
+        films.follow(scene, studio.bodies().meshes());
         finishing.look();
     }
 
@@ -152,7 +152,8 @@ final class RenderForm extends GridPane {
     private Optional<RenderOrder> order(Scene scene, StageOrView picture, EngineOffer chosen, Path file) {
         Optional<RenderOrder> order = film.isSelected()
                 ? films.film().map(plan -> WindowOrder.film(scene, picture, chosen, plan, file))
-                : Optional.of(WindowOrder.picture(scene, picture, chosen, movedBodies(scene), file));
+                : Optional.of(
+                        WindowOrder.picture(studio.film().played(scene), picture, chosen, movedBodies(scene), file));
         return order.map(plain -> finishing.applyTo(plain, format()));
     }
 

@@ -11,6 +11,7 @@ import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.Animation;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.animation.CameraPath;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -20,6 +21,7 @@ import java.util.SequencedMap;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanProperty;
@@ -35,6 +37,8 @@ public final class Film {
 
     private final Document document;
     private final BooleanSupplier physics;
+    private final Supplier<SceneMeshes> meshes;
+    private final Runnable redraw;
     private final Consumer<String> notice;
     private final ReadOnlyDoubleWrapper seconds = new ReadOnlyDoubleWrapper(0);
     private final BooleanProperty shown = new SimpleBooleanProperty(false);
@@ -43,10 +47,23 @@ public final class Film {
     /** The camera when playing started: keyframes may leave out the field of view and the focus. */
     private Camera start;
 
-    /** @param physics whether it is on, which moves spheres whatever their keyframes say */
-    Film(Document document, BooleanSupplier physics, Consumer<String> notice) {
+    /**
+     * The film of a document.
+     *
+     * @param physics whether it is on, which moves spheres whatever their keyframes say
+     * @param meshes those of the picture, whose animations have lengths
+     * @param redraw draws the scene at the film's time
+     */
+    Film(
+            Document document,
+            BooleanSupplier physics,
+            Supplier<SceneMeshes> meshes,
+            Runnable redraw,
+            Consumer<String> notice) {
         this.document = document;
         this.physics = physics;
+        this.meshes = meshes;
+        this.redraw = redraw;
         this.notice = notice;
         start = document.scene().camera();
         startAnew();
@@ -71,6 +88,16 @@ public final class Film {
 
     public ReadOnlyBooleanProperty playingProperty() {
         return playing.getReadOnlyProperty();
+    }
+
+    /** The time of the last keyframe, or of the end of an animation of a mesh, in seconds. */
+    public double length() {
+        return Animation.length(document.scene(), meshes.get());
+    }
+
+    /** The document's scene as pictures show it: its meshes are as far in their animations as they are now. */
+    public Scene played(Scene scene) {
+        return Animation.played(scene, seconds.get());
     }
 
     /** Those of the camera's path. */
@@ -100,8 +127,11 @@ public final class Film {
     void follow() {
         Scene scene = document.scene();
         if (!scene.tracks().isEmpty()) {
-            Scene now = Animation.tracked(scene, seconds.get());
+            Scene now = Animation.keyed(scene, seconds.get());
             document.follow(physics.getAsBoolean() ? now.withSpheres(scene.spheres()) : now);
+        }
+        if (Animation.isOfMeshes(scene)) {
+            redraw.run();
         }
     }
 
@@ -208,14 +238,20 @@ public final class Film {
         List<Double> times = TrackEdits.times(document.scene());
         if (playing.get()) {
             playing.set(false);
-        } else if (times.size() < 2) {
+        } else if (!canPlay()) {
             notice.accept("Set two keyframes or more to play them");
         } else {
             start = document.scene().camera();
-            boolean within = seconds.get() >= times.getFirst() && seconds.get() < times.getLast();
-            seconds.set(within ? seconds.get() : times.getFirst());
+            double first = Animation.isOfMeshes(document.scene()) ? 0 : times.getFirst();
+            boolean within = seconds.get() >= first && seconds.get() < length();
+            seconds.set(within ? seconds.get() : first);
             playing.set(true);
         }
+    }
+
+    private boolean canPlay() {
+        Scene scene = document.scene();
+        return TrackEdits.times(scene).size() >= 2 || Animation.isOfMeshes(scene);
     }
 
     /**
@@ -228,13 +264,16 @@ public final class Film {
             return;
         }
         Scene scene = document.scene();
-        double end = Animation.length(scene);
-        if (TrackEdits.times(scene).size() < 2) {
-            // Keyframes were deleted.
-            playing.set(false);
+        double end = length();
+        if (!canPlay() || end == 0) {
+            // Keyframes were deleted, or the file of a mesh is not read yet.
+            playing.set(canPlay() && meshes.get().equals(SceneMeshes.NONE));
             return;
         }
-        boolean again = scene.tracks().stream().anyMatch(Track::loop);
+        boolean again = scene.tracks().stream().anyMatch(Track::loop)
+                || scene.meshes().stream()
+                        .anyMatch(mesh ->
+                                !mesh.animation().isNone() && mesh.animation().loop());
         double now = seconds.get() + passed;
         seconds.set(again && now >= end ? (now - end) % end : Math.min(end, now));
         if (!keyframes().isEmpty()) {

@@ -1,7 +1,9 @@
 package dev.twister.gui.studio;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.CameraProperties;
 import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.animation.CameraMotion;
 
@@ -12,6 +14,12 @@ public final class Orbit {
 
     /** Meters: nearer to the pivot no dolly leads. */
     private static final double NEAREST = 0.05;
+
+    /** Degrees: a fisheye of a wider field is framed as one of this. */
+    private static final double HALF_SPACE = 180;
+
+    /** Radii of a framed body from its middle to a camera whose distance does not decide how large it is. */
+    private static final double USUAL_RADII = 3;
 
     private Orbit() {}
 
@@ -58,8 +66,15 @@ public final class Orbit {
 
     /** Keeps the direction and moves to where a sphere fills most of the picture. */
     public static Camera framed(Camera camera, Vector3 center, double radius) {
-        double half = Math.toRadians(camera.fieldOfViewDegrees()) / 2;
-        return at(camera, Axes.of(camera).from(center, 0, 0, -ROOM * radius / Math.sin(half)));
+        double share = switch (camera.projection()) {
+            case PERSPECTIVE, FISHEYE ->
+                Math.sin(Math.toRadians(Math.min(camera.fieldOfViewDegrees(), HALF_SPACE)) / 2);
+            case ORTHOGRAPHIC, PANORAMA -> 1 / USUAL_RADII;
+        };
+        Camera seen = camera.projection() == CameraProjection.ORTHOGRAPHIC
+                ? camera.withViewHeight(CameraProperties.VIEW_HEIGHT.range().clamp(2 * ROOM * radius))
+                : camera;
+        return at(seen, Axes.of(camera).from(center, 0, 0, -ROOM * radius / share));
     }
 
     /** The point straight ahead at a distance in meters. */

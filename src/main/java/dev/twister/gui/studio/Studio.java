@@ -92,7 +92,7 @@ public final class Studio implements AutoCloseable {
         motion = new MotionControl(document, selection, this::notice, this::request);
         bodies = new PresentBodies(document, motion, picture);
         cameraControl = new CameraControl(document, this::notice);
-        film = new Film(document, motion::isOn, this::notice);
+        film = new Film(document, motion::isOn, bodies::meshes, this::request, this::notice);
         refining.subscribe(_ -> request());
         noiseGoal.subscribe(_ -> request());
         denoiser.subscribe(_ -> request());
@@ -449,7 +449,7 @@ public final class Studio implements AutoCloseable {
             loop.request(new DrawingRequest(
                     requests,
                     document.number(),
-                    wanted,
+                    film.played(wanted),
                     size.width(),
                     size.height(),
                     engine.get(),

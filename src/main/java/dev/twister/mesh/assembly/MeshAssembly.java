@@ -191,6 +191,10 @@ public final class MeshAssembly {
     }
 
     private void addVertex(int position, int normal, int texture, int color) {
+        if (soup.traced) {
+            soup.vertexPositions.add(position);
+            soup.vertexNormals.add(normal);
+        }
         for (int axis = 0; axis < 3; axis++) {
             positions.add(soup.places.get(3 * position + axis));
         }

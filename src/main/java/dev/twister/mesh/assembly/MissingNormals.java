@@ -51,10 +51,13 @@ final class MissingNormals {
         Face face = new Face();
         float[] normals = new float[cornerCount];
         for (int a = 0; a < cornerCount; a += 3) {
-            face.set(positions, corners[a], corners[a + 1], corners[a + 2]);
-            normals[a] = (float) face.x();
-            normals[a + 1] = (float) face.y();
-            normals[a + 2] = (float) face.z();
+            if (face.set(positions, corners[a], corners[a + 1], corners[a + 2])) {
+                normals[a] = (float) face.x();
+                normals[a + 1] = (float) face.y();
+                normals[a + 2] = (float) face.z();
+            } else {
+                normals[a + 1] = 1;
+            }
         }
         return normals;
     }

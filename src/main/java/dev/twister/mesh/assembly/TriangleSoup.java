@@ -52,6 +52,17 @@ public final class TriangleSoup {
     /** Material number per triangle; empty if all are 0. */
     public final IntList materialOf = new IntList();
 
+    /** Whether {@link #vertexPositions} and {@link #vertexNormals} are kept, and triangles without area. */
+    public boolean traced;
+
+    /** The position's number of each vertex of the mesh that it becomes. */
+    public final IntList vertexPositions = new IntList();
+
+    /**
+     * The normal's number of each vertex, or {@link #NONE}; those from the number of given normals on are generated.
+     */
+    public final IntList vertexNormals = new IntList();
+
     private int unusablePositions;
 
     /** With initial capacity for a number of vertices and triangles. */
@@ -224,7 +235,7 @@ public final class TriangleSoup {
         }
     }
 
-    /** Drops triangles without area; returns their number. */
+    /** Drops triangles without area, unless they are traced; returns their number. */
     int dropDegenerate() {
         Face face = new Face();
         float[] floats = places.storage();
@@ -232,7 +243,9 @@ public final class TriangleSoup {
         int triangles = triangles();
         for (int triangle = 0; triangle < triangles; triangle++) {
             int corner = 3 * triangle;
-            if (face.set(floats, positionOf.get(corner), positionOf.get(corner + 1), positionOf.get(corner + 2))) {
+            boolean hasArea =
+                    face.set(floats, positionOf.get(corner), positionOf.get(corner + 1), positionOf.get(corner + 2));
+            if (hasArea || (traced && hasPlaces(corner))) {
                 if (kept < triangle) {
                     move(triangle, kept);
                 }
@@ -245,6 +258,12 @@ public final class TriangleSoup {
         colorOf.cut(Math.min(colorOf.size(), 3 * kept));
         materialOf.cut(Math.min(materialOf.size(), kept));
         return triangles - kept;
+    }
+
+    private boolean hasPlaces(int corner) {
+        return !Float.isNaN(places.get(3 * positionOf.get(corner))
+                + places.get(3 * positionOf.get(corner + 1))
+                + places.get(3 * positionOf.get(corner + 2)));
     }
 
     private void move(int from, int to) {

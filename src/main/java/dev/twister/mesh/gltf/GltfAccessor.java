@@ -133,6 +133,14 @@ final class GltfAccessor {
         return count;
     }
 
+    /** The same, which must have an element for each vertex of a primitive. */
+    GltfAccessor checked(int vertices) {
+        if (count != vertices) {
+            throw place.failure("has " + count + " elements, but the primitive has " + vertices + " vertices");
+        }
+        return this;
+    }
+
     /** Whether an element has four components. */
     boolean hasFourComponents() {
         return components == 4;

@@ -1,5 +1,6 @@
 package dev.twister.mesh.gltf;
 
+import dev.twister.mesh.input.MeshLimits;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
@@ -10,10 +11,16 @@ final class GltfAccessors {
     private final GltfBuffers buffers;
     private final Map<Integer, GltfAccessor> opened = new HashMap<>();
     private long sparseElements;
+    private long sharedElements;
 
     GltfAccessors(GltfPlace root, GltfBuffers buffers) {
         this.root = root;
         this.buffers = buffers;
+    }
+
+    /** The accessors in the file. */
+    GltfPlace list() {
+        return root.at("accessors");
     }
 
     /**
@@ -41,6 +48,19 @@ final class GltfAccessors {
         boolean four =
                 accessors.at(number.index(accessors)).at("type").textOr("").equals("VEC4");
         return at(number, four ? 4 : 3);
+    }
+
+    /**
+     * Counts elements that are kept in memory for an animation, before they are read.
+     *
+     * @throws dev.twister.mesh.MeshException if they are too many for the file's bytes
+     */
+    void share(long elements, GltfPlace place) {
+        sharedElements += elements;
+        if (sharedElements > MeshLimits.trianglesOf(buffers.openedBytes())) {
+            throw place.failure("brings the elements of animations to " + sharedElements + ", too many for the "
+                    + buffers.openedBytes() + " bytes of the file's buffers");
+        }
     }
 
     /** Each takes a byte or more, unless accessors share them to make a small file take much time and memory. */

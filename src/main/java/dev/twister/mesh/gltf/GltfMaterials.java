@@ -71,7 +71,9 @@ final class GltfMaterials {
         Material whole = base.withAlpha(alpha(material, base))
                 .withEmission(emission(material))
                 .withUnlit(extensions.at("KHR_materials_unlit").exists())
-                .withIor(ior(extensions));
+                .withIor(Math.clamp(
+                        extensions.at("KHR_materials_ior").at("ior").numberOr(Material.DEFAULT.ior()), 1.0, 4.0))
+                .withSpecular(specular(extensions));
         whole = transmission(whole, extensions, textures);
         Maps maps = whole.maps();
         maps = OptionalValue.with(maps, textures.map(material.at("emissiveTexture"), ""), Maps::withEmission);
@@ -127,24 +129,14 @@ final class GltfMaterials {
         return emission.isNone() ? Emission.NONE : emission;
     }
 
-    private double ior(GltfPlace extensions) {
-        double ior =
-                Math.clamp(extensions.at("KHR_materials_ior").at("ior").numberOr(Material.DEFAULT.ior()), 1.0, 4.0);
+    private double specular(GltfPlace extensions) {
         GltfPlace specular = extensions.at("KHR_materials_specular");
-        double factor = specular.at("specularFactor").unitOr(1);
         if (specular.at("specularTexture").exists()
                 || specular.at("specularColorTexture").exists()
                 || specular.at("specularColorFactor").exists()) {
             warnings.add("colors and textures of KHR_materials_specular are not read; reflections are white");
         }
-        boolean glass = extensions
-                        .at("KHR_materials_transmission")
-                        .at("transmissionFactor")
-                        .unitOr(0)
-                > 0;
-        // The index whose reflectance is that part; glass keeps its own, which bends the light.
-        double root = Math.sqrt(factor) * (ior - 1) / (ior + 1);
-        return glass || factor == 1 ? ior : (1 + root) / (1 - root);
+        return specular.at("specularFactor").unitOr(1);
     }
 
     private static Material transmission(Material material, GltfPlace extensions, GltfTextures textures)
@@ -154,7 +146,7 @@ final class GltfMaterials {
         if (transmission == 0) {
             boolean smooth = material.metallic() == 0 && material.roughness() == 0;
             // Without metal and roughness the reflectivity alone says that it shines.
-            return smooth ? material.withReflectivity(Reflectivity.PLASTIC) : material;
+            return smooth ? material.withReflectivity(Reflectivity.PLASTIC * material.specular()) : material;
         }
         GltfPlace volume = extensions.at("KHR_materials_volume");
         double[] color = volume.at("attenuationColor").numbersOr(1, 1, 1);

@@ -11,7 +11,6 @@ import dev.twister.mesh.input.MeshLimits;
 import dev.twister.mesh.input.TextureLayout;
 import dev.twister.mesh.input.Warnings;
 import dev.twister.scene.Material;
-import dev.twister.scene.Vector3;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -37,6 +36,9 @@ final class GltfMeshes {
      */
     record Primitive(int mesh, Affine placement, Material material) {}
 
+    /** What the vertices of a primitive have that moves with them. */
+    record Attributes(GltfAccessor positions, Optional<GltfAccessor> normals, Optional<GltfAccessor> tangents) {}
+
     private final Bytes file;
     private final GltfPlace root;
     private final GltfBuffers buffers;
@@ -48,6 +50,9 @@ final class GltfMeshes {
     private final UsedVertices used = new UsedVertices();
     private final GltfNodes nodes;
     private final Map<GltfPose, List<Primitive>> read = new HashMap<>();
+    private final Map<Integer, GltfSkin> skins = new HashMap<>();
+    private final Map<Integer, GltfDeformed> deformed = new HashMap<>();
+    private final boolean isAnimated;
     private long triangles;
     private int degenerateTriangles;
 
@@ -55,14 +60,17 @@ final class GltfMeshes {
             Bytes file,
             GltfPlace root,
             GltfBuffers buffers,
+            GltfAccessors accessors,
+            GltfNodes nodes,
             GltfMaterials materials,
             double smoothDegrees,
             Warnings warnings) {
         this.file = file;
         this.root = root;
         this.buffers = buffers;
-        this.accessors = new GltfAccessors(root, buffers);
-        this.nodes = new GltfNodes(root.at("nodes"));
+        this.accessors = accessors;
+        this.nodes = nodes;
+        this.isAnimated = root.at("animations").size() > 0;
         this.materials = materials;
         this.smoothDegrees = smoothDegrees;
         this.warnings = warnings;
@@ -70,6 +78,11 @@ final class GltfMeshes {
 
     List<TriangleMesh> meshes() {
         return meshes;
+    }
+
+    /** The meshes whose vertices move, by their number; none in a file without animations. */
+    Map<Integer, GltfDeformed> deformed() {
+        return deformed;
     }
 
     int degenerateTriangles() {
@@ -119,11 +132,30 @@ final class GltfMeshes {
         }
         int[] corners = corners(primitive, (int) mode, positions.count());
         GltfMaterials.Textured material = materials.of(primitive);
-        MeshAssembly.Assembled assembled =
-                MeshAssembly.assemble(soup(primitive, pose, positions, corners, material), Axes.Y_UP, smoothDegrees);
+        boolean bumpy = material.material().maps().normal().isPresent();
+        Optional<GltfAccessor> normals = attribute(attributes.at("NORMAL"), 3, positions);
+        Attributes moving = new Attributes(
+                positions,
+                normals,
+                bumpy && normals.isPresent() ? attribute(attributes.at("TANGENT"), 4, positions) : Optional.empty());
+        used.set(corners, positions.count());
+        Optional<GltfDeformation> deformation = deformation(primitive, pose, moving);
+        TriangleSoup soup = soup(primitive, pose, moving, corners, material, deformation);
+        soup.traced = isAnimated && deformation.isPresent();
+        MeshAssembly.Assembled assembled = MeshAssembly.assemble(soup, Axes.Y_UP, smoothDegrees);
         degenerateTriangles += assembled.degenerateTriangles();
         if (assembled.meshByMaterial().isEmpty()) {
             return Optional.empty();
+        }
+        if (soup.traced) {
+            deformed.put(
+                    meshes.size(),
+                    new GltfDeformed(
+                            deformation.orElseThrow(),
+                            pose,
+                            assembled.center(),
+                            soup.vertexPositions.toArray(),
+                            soup.vertexNormals.toArray()));
         }
         meshes.add(assembled.meshByMaterial().firstEntry().getValue());
         return Optional.of(new Primitive(meshes.size() - 1, assembled.placement(), material.material()));
@@ -143,35 +175,61 @@ final class GltfMeshes {
         return Optional.of(accessor);
     }
 
+    /** What moves the vertices of a primitive, at rest or in animations; empty if nothing does. */
+    private Optional<GltfDeformation> deformation(GltfPlace primitive, GltfPose pose, Attributes attributes)
+            throws IOException {
+        boolean morphs = primitive.at("targets").size() > 0
+                && (pose.node().isPresent() || pose.weights().stream().anyMatch(weight -> weight != 0));
+        return pose.skin().isPresent() || morphs
+                ? Optional.of(GltfDeformation.of(primitive, accessors, attributes, used.vertices(), skin(pose)))
+                : Optional.empty();
+    }
+
+    private Optional<GltfSkin> skin(GltfPose pose) throws IOException {
+        if (pose.skin().isEmpty()) {
+            return Optional.empty();
+        }
+        int number = pose.skin().getAsInt();
+        if (!skins.containsKey(number)) {
+            skins.put(number, GltfSkin.of(root, number, accessors));
+        }
+        return Optional.of(skins.get(number));
+    }
+
     private TriangleSoup soup(
-            GltfPlace primitive, GltfPose pose, GltfAccessor positions, int[] corners, GltfMaterials.Textured material)
+            GltfPlace primitive,
+            GltfPose pose,
+            Attributes moving,
+            int[] corners,
+            GltfMaterials.Textured material,
+            Optional<GltfDeformation> deformation)
             throws IOException {
         GltfPlace attributes = primitive.at("attributes");
-        GltfPosed posed = GltfPosed.of(root, primitive, pose, nodes, accessors, positions.count());
-        Optional<GltfAccessor> normals = attribute(attributes.at("NORMAL"), 3, positions);
+        GltfAccessor positions = moving.positions();
         Optional<GltfAccessor> colors = attribute(attributes.at("COLOR_0"), COLOR, positions);
-        boolean bumpy = material.material().maps().normal().isPresent();
-        Optional<GltfAccessor> tangents =
-                bumpy && normals.isPresent() ? attribute(attributes.at("TANGENT"), 4, positions) : Optional.empty();
         if (attributes.at("COLOR_1").exists()) {
             warnings.add("there are several colors for each vertex; the first are read");
         }
-        used.set(corners, positions.count());
         TriangleSoup soup = new TriangleSoup(used.vertices().length, corners.length / 3);
-        // One attribute after the other, because each usually has its own region in the file.
-        for (int vertex : used.vertices()) {
-            addPosition(soup, posed.place(positions, vertex));
+        if (deformation.isPresent()) {
+            List<Affine> movements = deformation
+                    .get()
+                    .binding()
+                    .map(binding -> binding.skin().movements(nodes::placement))
+                    .orElse(List.of());
+            addMoved(soup, deformation.get().moved(pose.weightArray(), movements));
+        } else {
+            addStill(soup, moving, used.vertices());
         }
         soup.warnOfUnusable(warnings);
-        if (normals.isPresent()) {
-            addNormals(soup, posed, normals.get(), used.vertices());
-        }
         addCoordinates(soup, attributes, positions, material.coordinates());
         if (colors.isPresent()) {
             addColors(soup, colors.get(), used.vertices());
         }
-        if (tangents.isPresent()) {
-            addTangents(soup, posed, tangents.get(), used.vertices());
+        if (moving.tangents().isPresent()) {
+            for (int vertex : used.vertices()) {
+                soup.tangentSigns.add(moving.tangents().get().get(vertex, 3) < 0 ? -1 : 1);
+            }
         }
         for (int i = 0; i < corners.length; i += 3) {
             soup.triangle(used.number(corners[i]), used.number(corners[i + 1]), used.number(corners[i + 2]));
@@ -179,12 +237,49 @@ final class GltfMeshes {
         return soup;
     }
 
-    private static void addNormals(TriangleSoup soup, GltfPosed posed, GltfAccessor normals, int[] used)
-            throws IOException {
-        for (int vertex : used) {
-            Vector3 normal = posed.normal(normals, vertex);
-            soup.normal(normal.x(), normal.y(), normal.z());
+    private static void addMoved(TriangleSoup soup, GltfDeformation.Moved moved) {
+        double[] positions = moved.positions();
+        for (int at = 0; at < positions.length; at += 3) {
+            addPosition(soup, positions[at], positions[at + 1], positions[at + 2]);
         }
+        double[] normals = moved.normals();
+        for (int at = 0; at < normals.length; at += 3) {
+            soup.normal(normals[at], normals[at + 1], normals[at + 2]);
+        }
+        double[] tangents = moved.tangents();
+        for (int at = 0; at < tangents.length; at += 3) {
+            double length = Math.sqrt(tangents[at] * tangents[at]
+                    + tangents[at + 1] * tangents[at + 1]
+                    + tangents[at + 2] * tangents[at + 2]);
+            for (int axis = 0; axis < 3; axis++) {
+                addTangent(soup, tangents[at + axis] / length);
+            }
+        }
+    }
+
+    /** One attribute after the other, because each usually has its own region in the file. */
+    private static void addStill(TriangleSoup soup, Attributes attributes, int[] used) throws IOException {
+        GltfAccessor positions = attributes.positions();
+        for (int vertex : used) {
+            addPosition(soup, positions.get(vertex, 0), positions.get(vertex, 1), positions.get(vertex, 2));
+        }
+        if (attributes.normals().isPresent()) {
+            GltfAccessor normals = attributes.normals().get();
+            for (int vertex : used) {
+                soup.normal(normals.get(vertex, 0), normals.get(vertex, 1), normals.get(vertex, 2));
+            }
+        }
+        if (attributes.tangents().isPresent()) {
+            for (int vertex : used) {
+                for (int axis = 0; axis < 3; axis++) {
+                    addTangent(soup, attributes.tangents().get().get(vertex, axis));
+                }
+            }
+        }
+    }
+
+    private static void addTangent(TriangleSoup soup, double value) {
+        soup.tangents.add(Math.abs(value) <= 2 ? (float) value : 0);
     }
 
     private void addCoordinates(
@@ -218,20 +313,9 @@ final class GltfMeshes {
         }
     }
 
-    private static void addTangents(TriangleSoup soup, GltfPosed posed, GltfAccessor tangents, int[] used)
-            throws IOException {
-        for (int vertex : used) {
-            Vector3 tangent = posed.tangent(tangents, vertex);
-            for (double value : new double[] {tangent.x(), tangent.y(), tangent.z()}) {
-                soup.tangents.add(Math.abs(value) <= 2 ? (float) value : 0);
-            }
-            soup.tangentSigns.add(tangents.get(vertex, 3) < 0 ? -1 : 1);
-        }
-    }
-
-    private static void addPosition(TriangleSoup soup, Vector3 place) {
-        if (MeshLimits.areCoordinates(place.x(), place.y(), place.z())) {
-            soup.position(place.x(), place.y(), place.z());
+    private static void addPosition(TriangleSoup soup, double x, double y, double z) {
+        if (MeshLimits.areCoordinates(x, y, z)) {
+            soup.position(x, y, z);
         } else {
             soup.missingPosition();
         }

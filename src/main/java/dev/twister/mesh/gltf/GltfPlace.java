@@ -71,6 +71,11 @@ public final class GltfPlace {
         return (int) index;
     }
 
+    /** Whether this value is an index into a list. */
+    boolean isIndex(GltfPlace list) {
+        return node.isInt() && node.intValue() >= 0 && node.intValue() < list.size();
+    }
+
     /** An integer in [0, 2^53]. */
     long count() {
         long count = integer();

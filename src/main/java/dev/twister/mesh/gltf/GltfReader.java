@@ -4,6 +4,7 @@ import dev.twister.mesh.Affine;
 import dev.twister.mesh.MeshException;
 import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPart;
+import dev.twister.mesh.MeshRig;
 import dev.twister.mesh.assembly.MeshAssembly;
 import dev.twister.mesh.input.Bytes;
 import dev.twister.mesh.input.MeshLimits;
@@ -17,6 +18,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /** Reads glTF 2.0 files, as JSON or GLB. */
@@ -70,8 +72,23 @@ public final class GltfReader {
     private final double smoothDegrees;
     private final Warnings warnings;
     private final List<MeshPart> parts = new ArrayList<>();
+    private final List<GltfRig.Part> moving = new ArrayList<>();
 
-    private record Placed(int node, Affine parent) {}
+    private Set<Integer> morphed = Set.of();
+
+    /**
+     * A node.
+     *
+     * @param placement transform to the file's coordinates, from the parent's while it waits, then from its own
+     */
+    private record Placed(int node, Affine placement) {
+        /** In place of a node whose mesh is placed by joints, or of none. */
+        static final Placed SKINNED = new Placed(GltfNodes.NONE, Affine.IDENTITY);
+
+        Optional<Integer> number() {
+            return node == GltfNodes.NONE ? Optional.empty() : Optional.of(node);
+        }
+    }
 
     public GltfReader(Geometry.OfFile source, Bytes bytes, double smoothDegrees, Warnings warnings) {
         this.source = source;
@@ -86,18 +103,31 @@ public final class GltfReader {
         GltfPlace root = document.root();
         checkVersion(root);
         checkExtensions(root);
-        warnOfUnused(root);
         try (GltfBuffers buffers = new GltfBuffers(file, bytes, document)) {
             GltfImages images = new GltfImages(file, bytes, root, buffers, warnings);
+            GltfAccessors accessors = new GltfAccessors(root, buffers);
+            GltfNodes nodes = new GltfNodes(root.at("nodes"));
             GltfMeshes meshes = new GltfMeshes(
-                    bytes, root, buffers, new GltfMaterials(root, images, warnings), smoothDegrees, warnings);
+                    bytes,
+                    root,
+                    buffers,
+                    accessors,
+                    nodes,
+                    new GltfMaterials(root, images, warnings),
+                    smoothDegrees,
+                    warnings);
             GltfSurroundings surroundings = new GltfSurroundings(root, warnings);
             placeAll(root, meshes, surroundings);
             if (parts.isEmpty()) {
                 throw MeshAssembly.noTriangles(bytes, meshes.degenerateTriangles());
             }
             return new MeshFile(
-                    meshes.meshes(), parts, images.embedded(), meshes.degenerateTriangles(), surroundings.all());
+                    meshes.meshes(),
+                    parts,
+                    images.embedded(),
+                    meshes.degenerateTriangles(),
+                    surroundings.all(),
+                    rig(root, meshes, accessors, nodes));
         }
     }
 
@@ -139,30 +169,49 @@ public final class GltfReader {
         };
     }
 
-    private void warnOfUnused(GltfPlace root) {
-        if (root.at("animations").size() > 0) {
-            warnings.add("animations are not played; the mesh is shown at rest");
+    /** What moves in the file's animations. */
+    private MeshRig rig(GltfPlace root, GltfMeshes meshes, GltfAccessors accessors, GltfNodes nodes)
+            throws IOException {
+        if (root.at("animations").size() == 0) {
+            return MeshRig.NONE;
         }
+        GltfSkeleton skeleton = new GltfSkeleton();
+        for (GltfRig.Part part : moving) {
+            part.node().ifPresent(node -> skeleton.add(node, nodes));
+        }
+        for (GltfDeformed deformed : meshes.deformed().values()) {
+            deformed.deformation()
+                    .binding()
+                    .ifPresent(binding -> binding.skin().joints().forEach(joint -> skeleton.add(joint, nodes)));
+        }
+        return new GltfRig(GltfAnimation.all(root, accessors, warnings), skeleton, moving, meshes.deformed());
     }
 
     private void placeAll(GltfPlace root, GltfMeshes meshes, GltfSurroundings surroundings) throws IOException {
         GltfPlace nodes = root.at("nodes");
+        morphed = GltfAnimation.morphed(root);
         Deque<Placed> waiting = new ArrayDeque<>();
         BitSet reached = new BitSet();
         reach(GltfScenes.roots(root, source.scene(), warnings), nodes, Affine.IDENTITY, waiting, reached);
         while (!waiting.isEmpty()) {
             Placed next = waiting.pop();
             GltfPlace node = nodes.at(next.node());
-            Affine placement = next.parent().of(GltfTransform.of(node));
+            Affine placement = next.placement().of(GltfTransform.of(node));
             if (node.at("mesh").exists()) {
-                placePosed(node, placement, root, meshes);
+                placePosed(next.node(), placement, root, meshes);
             }
             surroundings.add(node, GltfTransform.turned(placement));
             reach(GltfScenes.indices(node.at("children"), nodes), nodes, placement, waiting, reached);
         }
         if (nodes.size() == 0) {
             for (int mesh = 0; mesh < root.at("meshes").size(); mesh++) {
-                place(root.at("meshes").at(mesh), Affine.IDENTITY, GltfPose.of(root, mesh), root, meshes);
+                place(
+                        root.at("meshes").at(mesh),
+                        Placed.SKINNED,
+                        Affine.IDENTITY,
+                        GltfPose.of(root, mesh),
+                        root,
+                        meshes);
             }
         }
     }
@@ -180,25 +229,27 @@ public final class GltfReader {
     }
 
     /** Places a node's mesh: by the joints of its skin, or else by the node's own transform. */
-    private void placePosed(GltfPlace node, Affine placement, GltfPlace root, GltfMeshes meshes) throws IOException {
-        GltfPose pose = GltfPose.of(root, node);
+    private void placePosed(int number, Affine placement, GltfPlace root, GltfMeshes meshes) throws IOException {
+        GltfPlace node = root.at("nodes").at(number);
+        GltfPose pose = GltfPose.of(root, number, morphed);
         if (pose.skin().isPresent()) {
             try {
-                place(node, Affine.IDENTITY, pose, root, meshes);
+                place(node, Placed.SKINNED, Affine.IDENTITY, pose, root, meshes);
                 return;
             } catch (MeshException problem) {
                 warnings.add(problem, "; shown without its skin");
             }
         }
         for (Affine instance : meshes.instances(node)) {
-            place(node, placement.of(instance), pose.withoutSkin(), root, meshes);
+            place(node, new Placed(number, placement), instance, pose.withoutSkin(), root, meshes);
         }
     }
 
-    private void place(GltfPlace node, Affine placement, GltfPose pose, GltfPlace root, GltfMeshes meshes)
+    private void place(GltfPlace node, Placed above, Affine instance, GltfPose pose, GltfPlace root, GltfMeshes meshes)
             throws IOException {
-        Affine turned = GltfTransform.turned(placement);
-        if (!GltfTransform.isUsable(turned)) {
+        Affine turned = GltfTransform.turned(above.placement().of(instance));
+        boolean mayMove = root.at("animations").size() > 0 && GltfTransform.isNear(turned);
+        if (!mayMove && !GltfTransform.isUsable(turned)) {
             warnings.add(node + " is flat, or far too large; not read");
             return;
         }
@@ -209,6 +260,7 @@ public final class GltfReader {
                 throw node.failure("brings the file to more than " + MeshLimits.PARTS + " parts; join its meshes");
             }
             parts.add(new MeshPart(name, primitive.mesh(), turned.of(primitive.placement()), primitive.material()));
+            moving.add(new GltfRig.Part(above.number(), instance, primitive.placement()));
         }
     }
 }

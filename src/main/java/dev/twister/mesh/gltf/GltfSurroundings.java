@@ -7,6 +7,8 @@ import dev.twister.mesh.FileSurroundings.FileLight;
 import dev.twister.mesh.input.MeshLimits;
 import dev.twister.mesh.input.QuotedText;
 import dev.twister.mesh.input.Warnings;
+import dev.twister.scene.Camera;
+import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.light.LightShape;
@@ -102,11 +104,6 @@ final class GltfSurroundings {
 
     private void addCamera(GltfPlace node, Affine placement) {
         GltfPlace camera = node.at("camera").in(root.at("cameras"));
-        GltfPlace perspective = camera.at("perspective");
-        if (!perspective.exists()) {
-            warnings.add(camera + " is orthographic; not read");
-            return;
-        }
         if (cameras.size() == SceneLimits.MAX_VIEWS) {
             warnings.add("there are more than " + SceneLimits.MAX_VIEWS + " cameras; the others are not read");
             return;
@@ -114,17 +111,30 @@ final class GltfSurroundings {
         if (Math.abs(placement.direction(ACROSS).normalized().y()) > ROLL) {
             warnings.add(camera + " is rolled; its view is level");
         }
-        double height = Math.tan(Math.clamp(perspective.at("yfov").number(), 0, Math.PI) / 2);
-        double width = height * Math.max(0, perspective.at("aspectRatio").numberOr(1));
-        double angle = Math.toDegrees(2 * Math.atan(Math.min(height, width)));
         String name = name(node.at("name").textOr(camera.at("name").textOr("")));
         cameras.put(
                 name,
                 new FileCamera(
                         name,
-                        CameraProperties.FIELD_OF_VIEW.range().clamp(angle),
+                        lens(camera),
                         placement.origin(),
                         placement.direction(AHEAD).normalized()));
+    }
+
+    /** A camera at the origin with the field of view, or what is seen without perspective. */
+    private static Camera lens(GltfPlace camera) {
+        GltfPlace perspective = camera.at("perspective");
+        if (!perspective.exists()) {
+            double half = Math.abs(camera.at("orthographic").at("ymag").number());
+            return Camera.DEFAULT
+                    .withProjection(CameraProjection.ORTHOGRAPHIC)
+                    .withViewHeight(CameraProperties.VIEW_HEIGHT.range().clamp(2 * half));
+        }
+        double height = Math.tan(Math.clamp(perspective.at("yfov").number(), 0, Math.PI) / 2);
+        double width = height * Math.max(0, perspective.at("aspectRatio").numberOr(1));
+        double angle = Math.toDegrees(2 * Math.atan(Math.min(height, width)));
+        return Camera.DEFAULT.withFieldOfViewDegrees(
+                CameraProperties.fieldOfView(CameraProjection.PERSPECTIVE).clamp(angle));
     }
 
     /** A name that no other camera has. */

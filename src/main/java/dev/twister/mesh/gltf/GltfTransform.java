@@ -4,6 +4,7 @@ import dev.twister.mesh.Affine;
 import dev.twister.mesh.assembly.Axes;
 import dev.twister.mesh.input.MeshLimits;
 import dev.twister.scene.Vector3;
+import java.util.Arrays;
 
 /** The transforms of glTF nodes. */
 final class GltfTransform {
@@ -17,10 +18,26 @@ final class GltfTransform {
             double[] m = node.at("matrix").numbersOr(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
             return new Affine(column(m, 0), column(m, 4), column(m, 8), column(m, 12));
         }
+        return of(numbers(node), 0);
+    }
+
+    /** Translation, rotation and scale of a node, one after the other; those of the identity if it has a matrix. */
+    static double[] numbers(GltfPlace node) {
+        double[] numbers = new double[GltfSkeleton.SCALE + 3];
+        System.arraycopy(node.at("translation").numbersOr(0, 0, 0), 0, numbers, 0, GltfSkeleton.ROTATION);
+        System.arraycopy(node.at("rotation").numbersOr(0, 0, 0, 1), 0, numbers, GltfSkeleton.ROTATION, 4);
+        System.arraycopy(node.at("scale").numbersOr(1, 1, 1), 0, numbers, GltfSkeleton.SCALE, 3);
+        return numbers;
+    }
+
+    /** The transform of such numbers, from a place on. */
+    static Affine of(double[] numbers, int at) {
+        int rotation = at + GltfSkeleton.ROTATION;
+        int scale = at + GltfSkeleton.SCALE;
         return of(
-                node.at("translation").numbersOr(0, 0, 0),
-                node.at("rotation").numbersOr(0, 0, 0, 1),
-                node.at("scale").numbersOr(1, 1, 1));
+                Arrays.copyOfRange(numbers, at, rotation),
+                Arrays.copyOfRange(numbers, rotation, scale),
+                Arrays.copyOfRange(numbers, scale, scale + 3));
     }
 
     /** The transform that scales, then rotates by a quaternion, then translates. */
@@ -45,11 +62,17 @@ final class GltfTransform {
     /** Whether the transform preserves volume other than 0 and stays within the range of coordinates. */
     static boolean isUsable(Affine placement) {
         double volume = placement.axisX().dot(placement.axisY().cross(placement.axisZ()));
-        double x = placement.axisX().length();
-        double y = placement.axisY().length();
-        double z = placement.axisZ().length();
-        return Math.abs(volume) > FLAT * (x * y * z)
-                && MeshLimits.isCoordinate(Math.max(x, Math.max(y, z)))
+        double lengths = placement.axisX().length()
+                * placement.axisY().length()
+                * placement.axisZ().length();
+        return Math.abs(volume) > FLAT * lengths && isNear(placement);
+    }
+
+    /** Whether the transform stays within the range of coordinates. */
+    static boolean isNear(Affine placement) {
+        return MeshLimits.isCoordinate(placement.axisX().length())
+                && MeshLimits.isCoordinate(placement.axisY().length())
+                && MeshLimits.isCoordinate(placement.axisZ().length())
                 && MeshLimits.isCoordinate(placement.origin().length());
     }
 

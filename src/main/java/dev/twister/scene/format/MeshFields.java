@@ -5,6 +5,7 @@ import static dev.twister.scene.format.Field.sparse;
 
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.MeshAnimation;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Vector3;
@@ -12,6 +13,7 @@ import dev.twister.scene.property.BodyProperties;
 import dev.twister.scene.property.SceneLimits;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** The fields that say what a mesh's triangles are: those of a file, or of a shape. */
 final class MeshFields {
@@ -31,7 +33,23 @@ final class MeshFields {
                                 new ValueType.Text(0, SceneLimits.MAX_NAME_LENGTH),
                                 MeshFields::scene,
                                 MeshFields::withScene)
-                        .from(3));
+                        .from(3),
+                sparse(
+                                "animation",
+                                new ValueType.Structure<>(
+                                        MeshAnimation.NONE,
+                                        Stream.concat(
+                                                        Stream.of(required(
+                                                                "name",
+                                                                new ValueType.Text(1, SceneLimits.MAX_NAME_LENGTH),
+                                                                MeshAnimation::name,
+                                                                MeshAnimation::withName)),
+                                                        Field.of(BodyProperties.ANIMATION, NamedFiles.UNRESOLVED)
+                                                                .stream())
+                                                .toList()),
+                                Mesh::animation,
+                                Mesh::withAnimation)
+                        .from(4));
     }
 
     /** How the triangles of a file are shaded. */

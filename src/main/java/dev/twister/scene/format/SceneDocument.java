@@ -50,8 +50,7 @@ final class SceneDocument {
         problems.check(() -> LightRules.checkVisible(scene, fields));
         problems.check(() -> LightRules.checkGroups(scene, fields));
         fields.find("camera")
-                .ifPresent(camera ->
-                        problems.check(() -> KeyframeRules.check(scene.camera().keyframes(), camera.fields())));
+                .ifPresent(camera -> problems.check(() -> CameraRules.check(scene.camera(), camera.fields())));
         problems.check(() -> ViewRules.check(scene.views(), fields));
         problems.check(() -> AlphaRules.check(scene, fields));
         fields.find("plane")

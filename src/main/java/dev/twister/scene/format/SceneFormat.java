@@ -89,7 +89,7 @@ final class SceneFormat {
             CameraKeyframe.DEFAULT,
             List.of(
                     required(
-                            KeyframeRules.TIME,
+                            CameraRules.TIME,
                             new Decimal(SceneLimits.KEYFRAME_TIME),
                             CameraKeyframe::seconds,
                             CameraKeyframe::withSeconds),
@@ -116,7 +116,7 @@ final class SceneFormat {
                             CameraKeyframe::withFocusDistance)));
 
     private static final Field<Camera, List<CameraKeyframe>> KEYFRAMES = Field.<Camera, List<CameraKeyframe>>sparse(
-                    KeyframeRules.FIELD,
+                    CameraRules.KEYFRAMES,
                     new Array<>(
                             KEYFRAME,
                             0,

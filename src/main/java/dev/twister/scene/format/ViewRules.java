@@ -15,18 +15,18 @@ final class ViewRules {
 
     /**
      * @param scene its fields, in the file
-     * @throws SceneException if two views have the same name
+     * @throws SceneException if two views have the same name, or a view's field of view is too wide for its projection
      */
     static void check(List<CameraView> views, Fields scene) {
         if (views.isEmpty()) {
             return;
         }
-        List<Place> names = scene.get(FIELD)
-                .items(0, views.size(), "", view -> view.fields().get(NAME));
+        List<Fields> fields = scene.get(FIELD).items(0, views.size(), "", Place::fields);
         Set<String> before = new HashSet<>();
         for (int index = 0; index < views.size(); index++) {
+            CameraRules.check(views.get(index).camera(), fields.get(index));
             if (!before.add(views.get(index).name())) {
-                throw names.get(index).refused("a name that no view before it has");
+                throw fields.get(index).get(NAME).refused("a name that no view before it has");
             }
         }
     }

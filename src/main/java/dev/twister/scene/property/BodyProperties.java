@@ -1,12 +1,14 @@
 package dev.twister.scene.property;
 
 import static dev.twister.scene.property.Property.decimal;
+import static dev.twister.scene.property.Property.flag;
 import static dev.twister.scene.property.Property.vector;
 import static dev.twister.scene.property.Slide.linear;
 import static dev.twister.scene.property.Slide.logarithmic;
 
 import dev.twister.scene.Ground;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.MeshAnimation;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.property.PropertyType.Turn;
@@ -67,6 +69,26 @@ public final class BodyProperties {
                             + " surface.",
                     "")
             .slide(linear(0, 180, 0, "°"));
+
+    /** Of an animation of a file. */
+    public static final List<Property<MeshAnimation, ?>> ANIMATION = List.of(
+            decimal("start", SceneLimits.CLIP_TIME, MeshAnimation::start, MeshAnimation::withStart)
+                    .since(4)
+                    .animated()
+                    .means("the animation's time at the beginning of the film")
+                    .row("Animation start", "The animation's time at the beginning of the film.", "")
+                    .slide(linear(0, 10, 2, "s")),
+            decimal("speed", new Range(-1000, 1000), MeshAnimation::speed, MeshAnimation::withSpeed)
+                    .since(4)
+                    .means("seconds of the animation per second of the film; below 0 it plays backwards")
+                    .row(
+                            "Animation speed",
+                            "Seconds of the animation per second of the film. Below 0 it plays backwards.",
+                            "")
+                    .slide(linear(-4, 4, 2, "")),
+            flag("loop", MeshAnimation::loop, MeshAnimation::withLoop)
+                    .since(4)
+                    .means("whether it begins again where it ends; otherwise it stops there"));
 
     public static final List<Property<Ground, ?>> PLANE = List.of(
             decimal("size", SceneLimits.LENGTH, Ground::size, Ground::withSize)

@@ -9,6 +9,7 @@ import static dev.twister.scene.property.Slide.SHARE;
 import static dev.twister.scene.property.Slide.linear;
 import static dev.twister.scene.property.Slide.logarithmic;
 
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.material.Alpha;
@@ -87,6 +88,18 @@ public final class MaterialProperties {
                     "Alt+Shift+I")
             .slide(linear(1, 2.5, 2, ""));
 
+    private static final Property<Material, Double> SPECULAR = decimal(
+                    "specular", SceneLimits.SHARE, Material::specular, Material::withSpecular)
+            .since(4)
+            .animated()
+            .means("in path tracing, without `reflectivity`: factor of what `ior` reflects; not of metals")
+            .row(
+                    "Specular",
+                    "In path tracing, without reflectivity: factor of what the index of refraction reflects.",
+                    "")
+            .slide(SHARE)
+            .only(Integrator.PATH);
+
     public static final Property<Material, Rgb> EMISSION = color(
                     "emission", SceneLimits.RADIANCE, Emission::color, Emission::withColor)
             .within(Material::emission, Material::withEmission)
@@ -117,6 +130,7 @@ public final class MaterialProperties {
             METALLIC,
             TRANSMISSION,
             IOR,
+            SPECULAR,
             EMISSION,
             EMISSION_STRENGTH,
             flag("doubleSided", Emission::doubleSided, Emission::withDoubleSided)

@@ -17,6 +17,9 @@ public final class SceneLimits {
     public static final Range RADIANCE = new Range(0, 1e6);
     public static final Range KEYFRAME_TIME = new Range(0, 86_400, "seconds");
 
+    /** Of an animation of a mesh's file. */
+    public static final Range CLIP_TIME = new Range(-1e6, 1e6, "seconds");
+
     /** Wide enough for every animated property; each has a range of its own. */
     public static final Range ANIMATED = new Range(-1e9, 1e9);
 

@@ -17,7 +17,13 @@ public final class TrackProperties {
     public static final List<Property<Sphere, ?>> SPHERE =
             animated(BodyProperties.SPHERE, Sphere::material, Sphere::withMaterial);
 
-    public static final List<Property<Mesh, ?>> MESH = animated(BodyProperties.MESH, Mesh::own, Mesh::withMaterial);
+    /** The animation's property is called as its place in a scene file. */
+    public static final List<Property<Mesh, ?>> MESH = Stream.concat(
+                    animated(BodyProperties.MESH, Mesh::own, Mesh::withMaterial).stream(),
+                    Property.within(BodyProperties.ANIMATION, Mesh::animation, Mesh::withAnimation).stream()
+                            .filter(Property::isAnimated)
+                            .<Property<Mesh, ?>>map(property -> property.withName("animation." + property.name())))
+            .toList();
 
     /** The plane cannot emit. */
     public static final List<Property<Ground, ?>> PLANE =

@@ -65,14 +65,20 @@ public final class CameraMotion {
     }
 
     /**
-     * Narrows or widens the field of view.
+     * Narrows or widens the field of view, or what an orthographic picture shows; a panorama shows all.
      *
      * @param notches of the mouse wheel, positive away from the user; may be fractional
      */
     public static Camera zoom(Camera camera, double notches) {
-        return camera.withFieldOfViewDegrees(CameraProperties.FIELD_OF_VIEW
-                .range()
-                .clamp(camera.fieldOfViewDegrees() * Math.pow(ZOOM_OF_A_NOTCH, notches)));
+        double factor = Math.pow(ZOOM_OF_A_NOTCH, notches);
+        return switch (camera.projection()) {
+            case PERSPECTIVE, FISHEYE ->
+                camera.withFieldOfViewDegrees(
+                        CameraProperties.fieldOfView(camera.projection()).clamp(camera.fieldOfViewDegrees() * factor));
+            case ORTHOGRAPHIC ->
+                camera.withViewHeight(CameraProperties.VIEW_HEIGHT.range().clamp(camera.viewHeight() * factor));
+            case PANORAMA -> camera;
+        };
     }
 
     /** The camera, raised above the plane if it is below. */

@@ -37,7 +37,7 @@ public final class CameraPath {
                 .withPitchDegrees(curve.value(CameraKeyframe::pitchDegrees, CameraProperties.PITCH.range()))
                 .withFieldOfViewDegrees(curve.value(
                         key -> key.fieldOfViewDegrees().orElse(camera.fieldOfViewDegrees()),
-                        CameraProperties.FIELD_OF_VIEW.range()))
+                        CameraProperties.fieldOfView(camera.projection())))
                 .withFocusDistance(curve.value(
                         key -> key.focusDistance().orElse(camera.focusDistance()),
                         CameraProperties.FOCUS_DISTANCE.range()));

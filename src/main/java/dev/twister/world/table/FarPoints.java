@@ -6,6 +6,7 @@ import dev.twister.mesh.MeshPart;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 
 /** The vertices of a mesh file that are farthest out in many directions: few points that describe its outline. */
 public final class FarPoints {
@@ -19,6 +20,24 @@ public final class FarPoints {
     private static final double[][] SPREAD = spread();
 
     private FarPoints() {}
+
+    /** The points of a file, found when they are first asked for. */
+    public static final class Later implements Supplier<List<Vector3>> {
+        private final MeshFile file;
+        private List<Vector3> found = List.of();
+
+        public Later(MeshFile file) {
+            this.file = file;
+        }
+
+        @Override
+        public synchronized List<Vector3> get() {
+            if (found.isEmpty()) {
+                found = of(file);
+            }
+            return found;
+        }
+    }
 
     /** The points in the file's coordinates, without duplicates. */
     public static List<Vector3> of(MeshFile file) {

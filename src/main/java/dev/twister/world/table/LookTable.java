@@ -150,6 +150,8 @@ public final class LookTable {
         boolean glossy = fresnel || reflectivity > 0 || transmission > 0;
         looks[look + Layout.LOOK_ROUGHNESS] = glossy ? (float) material.roughness() : 0;
         looks[look + Layout.LOOK_IOR] = fresnel || transmission > 0 ? (float) material.ior() : 0;
+        boolean dielectric = material.reflectivity() == 0 && (fresnel || transmission > 0);
+        looks[look + Layout.LOOK_SPECULAR_LOSS] = dielectric ? (float) (1 - material.specular()) : 0;
         looks[look + Layout.LOOK_METALLIC] = (float) material.metallic();
         boolean beside = material.isMetalOverMirror();
         looks[look + Layout.LOOK_FRESNEL] = fresnel ? 1 : beside ? -1 : 0;

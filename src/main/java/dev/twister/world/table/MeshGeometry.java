@@ -3,10 +3,12 @@ package dev.twister.world.table;
 import dev.twister.kernel.Layout;
 import dev.twister.mesh.TriangleMesh;
 import dev.twister.world.hierarchy.BoxTree;
+import dev.twister.world.hierarchy.TriangleRefit;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.IntFunction;
 
 /**
  * A mesh as the kernel reads it, see {@link Layout}.
@@ -18,19 +20,30 @@ public record MeshGeometry(MeshCounts counts, float[] floats) {
     /** Testing this many triangles takes about as long as testing two boxes and their content. */
     private static final int MOST_IN_LEAF = 4;
 
-    public static MeshGeometry of(TriangleMesh mesh) {
-        return of(mesh, MOST_IN_LEAF);
-    }
+    /** Factor of the boxes' area, as a part of the root's, from which on a hierarchy is built anew. */
+    private static final double MOST_GROWN = 1.25;
 
     /**
-     * As above, with another size of the leaves.
+     * A mesh.
      *
      * @param mesh a mesh with at least one triangle
+     * @param moves whether its vertices move, so that equal triangles may come apart
      */
+    public static MeshGeometry of(TriangleMesh mesh, boolean moves) {
+        return moves
+                ? of(mesh, MOST_IN_LEAF, triangle -> triangle)
+                : of(mesh, MOST_IN_LEAF, triangle -> corners(mesh, triangle));
+    }
+
+    /** A mesh at rest, with another size of the leaves. */
     public static MeshGeometry of(TriangleMesh mesh, int mostInLeaf) {
+        return of(mesh, mostInLeaf, triangle -> corners(mesh, triangle));
+    }
+
+    private static MeshGeometry of(TriangleMesh mesh, int mostInLeaf, IntFunction<?> content) {
         float[] boxes = boxes(mesh);
         int[] order = new int[mesh.triangles()];
-        float[] nodes = BoxTree.nodes(new BoxTree.Boxes(boxes, order, mostInLeaf, triangle -> corners(mesh, triangle)));
+        float[] nodes = BoxTree.nodes(new BoxTree.Boxes(boxes, order, mostInLeaf, content));
         long length = nodes.length + (long) Layout.TRIANGLE_STRIDE * order.length;
         for (float[] values : attributes(mesh)) {
             length += values.length;
@@ -52,6 +65,32 @@ public record MeshGeometry(MeshCounts counts, float[] floats) {
             at += values.length;
         }
         return new MeshGeometry(MeshCounts.of(mesh, nodes.length / Layout.NODE_STRIDE), floats);
+    }
+
+    /**
+     * The mesh with its vertices elsewhere. Its hierarchy is fitted to them, or built anew where that would take rays
+     * through many more boxes. Depends on nothing but the mesh at rest and the new places.
+     *
+     * @param mesh with as many vertices, and the same triangles and texture coordinates
+     * @return this object with other floats, or another one
+     */
+    public MeshGeometry moved(TriangleMesh mesh) {
+        int at = Layout.NODE_STRIDE * counts.nodes();
+        for (int triangle = 0; triangle < counts.triangles(); triangle++) {
+            for (int corner = 0; corner < 3; corner++) {
+                int vertex = 3 * (int) floats[at + Layout.TRIANGLE_VERTICES + corner];
+                floats[at + 3 * corner] = mesh.positions()[vertex];
+                floats[at + 3 * corner + 1] = mesh.positions()[vertex + 1];
+                floats[at + 3 * corner + 2] = mesh.positions()[vertex + 2];
+            }
+            at += Layout.TRIANGLE_STRIDE;
+        }
+        for (float[] values : attributes(mesh)) {
+            System.arraycopy(values, 0, floats, at, values.length);
+            at += values.length;
+        }
+        double grown = TriangleRefit.fit(floats, counts.nodes());
+        return grown > MOST_GROWN ? of(mesh, true) : this;
     }
 
     private static List<float[]> attributes(TriangleMesh mesh) {

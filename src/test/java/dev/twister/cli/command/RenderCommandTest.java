@@ -226,6 +226,9 @@ class RenderCommandTest {
         assertThat(bytes("exposed.png", "--exposure", "1")).isNotEqualTo(plain);
         assertThat(bytes("curved.png", "--srgb")).isNotEqualTo(plain);
         assertThat(bytes("turned.png", "--yaw", "20")).isNotEqualTo(plain);
+        assertThat(bytes("flat.png", "--projection", "orthographic", "--view-height", "9"))
+                .isNotEqualTo(bytes("flatter.png", "--projection", "orthographic", "--view-height", "8"));
+        assertThat(bytes("wide.png", "--projection", "fisheye", "--fov", "200")).isNotEqualTo(plain);
         assertThat(bytes("sky.png", "--sky-rotation", "20")).isNotEqualTo(plain);
         assertThat(bytes("sky-again.png", "--sky-rotation", "360")).isEqualTo(plain);
         assertThat(bytes("dark.png", "--sky-strength", "0")).isNotEqualTo(plain);

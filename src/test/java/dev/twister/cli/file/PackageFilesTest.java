@@ -23,7 +23,7 @@ class PackageFilesTest {
     void theManualPageHasCommandsOptionsAndExamples() throws IOException {
         assertThat(read("man/man1/twister.1"))
                 .startsWith(".TH TWISTER 1\n.SH NAME\ntwister \\- a real\\-time ray tracer")
-                .contains("\n.SS twister render SCENE\n", "\n\\fB\\-\\-tone\\-map\\fR \\fINAME\\fR\n")
+                .contains("\n.SS twister render SCENE\n", "\n\\fB\\-\\-tone\\-map\\fR \\fIMAP\\fR\n")
                 .contains("\n.EX\ntwister benchmark \\-\\-quick")
                 .doesNotContain("package\\-files", "${", "@|");
     }
@@ -36,7 +36,7 @@ class PackageFilesTest {
                 .doesNotContain("package-files");
         assertThat(read("zsh/vendor-completions/_twister"))
                 .startsWith("#compdef twister\n")
-                .contains("'--tone-map[clamp, reinhard or aces]:NAME:(clamp reinhard aces)'")
+                .contains("'--tone-map[clamp, reinhard or aces]:MAP:(clamp reinhard aces)'")
                 .contains("'render:Renders a scene");
     }
 

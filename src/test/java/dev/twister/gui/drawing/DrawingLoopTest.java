@@ -8,6 +8,7 @@ import dev.twister.gui.drawing.DrawingRequest.EngineChoice;
 import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.drawing.DrawingRequest.Refinement;
 import dev.twister.image.HdrWriter;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import dev.twister.world.SceneMeshes;
@@ -185,6 +186,14 @@ class DrawingLoopTest {
         while (!loop.awaitEnd(Duration.ofMillis(1))) {
             numbers.poll();
         }
+    }
+
+    @Test
+    void aPictureOfVeryManySamplesIsFirstDrawnWithFew() {
+        Scene many = scene.withRendering(scene.rendering().withSamplesPerPixel(Rendering.MAX_SAMPLES_PER_PIXEL));
+        request(many, 0);
+
+        assertThat(awaitPicture(drawnBy(green)).input().samplesPerPixel()).isEqualTo(64);
     }
 
     @Test

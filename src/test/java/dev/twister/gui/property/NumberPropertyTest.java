@@ -34,7 +34,7 @@ class NumberPropertyTest {
                         PropertyNumbers.of(
                                 Property.within(SceneProperties.RENDERING, Scene::rendering, Scene::withRendering))
                                 .stream(),
-                        PropertyNumbers.ofCamera().stream(),
+                        PanelNumbers.ofCamera().stream(),
                         PanelNumbers.ofLight(0).stream(),
                         PropertyNumbers.of(Property.within(SceneProperties.SKY, Scene::sky, Scene::withSky)).stream(),
                         PropertyNumbers.of(Property.within(SceneProperties.SHADING, Scene::shading, Scene::withShading))

@@ -2,6 +2,7 @@ package dev.twister.gui.property;
 
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
+import dev.twister.scene.property.CameraProperties;
 import dev.twister.scene.property.LightProperties;
 import dev.twister.scene.property.MaterialProperties;
 import java.util.List;
@@ -29,6 +30,17 @@ public final class PanelNumbers {
                 .flatMap(property -> property.equals(MaterialProperties.REFLECTIVITY)
                         ? Stream.of(DerivedNumbers.REFLECTIVITY)
                         : PropertyNumbers.of(property).stream())
+                .toList();
+    }
+
+    /** The numbers of the camera, in the order of the rows: the focal length follows the field of view. */
+    public static List<NumberProperty<Scene>> ofCamera() {
+        return CameraProperties.ALL.stream()
+                .flatMap(property -> Stream.concat(
+                        PropertyNumbers.of(property.within(Scene::camera, Scene::withCamera)).stream(),
+                        property.equals(CameraProperties.FIELD_OF_VIEW)
+                                ? Stream.of(PropertyNumbers.focalLength())
+                                : Stream.empty()))
                 .toList();
     }
 }

@@ -10,6 +10,7 @@ import dev.twister.mesh.MeshPose;
 import dev.twister.mesh.MeshReader;
 import dev.twister.mesh.MeshStage;
 import dev.twister.scene.Camera;
+import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;
@@ -217,12 +218,20 @@ class GltfSurroundingsTest {
     void saysWhatOfCamerasIsLost() throws IOException {
         stage("""
                 "nodes": [{"mesh": 0}, {"camera": 0, "rotation": [0, 0, 1, 1]}, {"camera": 1}],
-                "cameras": [{"perspective": {"yfov": 1}}, {"orthographic": {}}],
+                "cameras": [{"perspective": {"yfov": 1}}, {"orthographic": {"xmag": 4, "ymag": 1.5}}],
                 """);
 
-        assertThat(warnings)
-                .containsOnly(
-                        folder.resolve("a.gltf") + ": $.cameras[0] is rolled; its view is level",
-                        folder.resolve("a.gltf") + ": $.cameras[1] is orthographic; not read");
+        assertThat(warnings).containsOnly(folder.resolve("a.gltf") + ": $.cameras[0] is rolled; its view is level");
+    }
+
+    @Test
+    void aCameraWithoutPerspectiveSeesTwiceItsMagnification() throws IOException {
+        Scene scene = stage("""
+                "nodes": [{"mesh": 0}, {"camera": 0}],
+                "cameras": [{"orthographic": {"xmag": 4, "ymag": 1.5}}],
+                """);
+
+        assertThat(scene.views().getFirst().camera().projection()).isEqualTo(CameraProjection.ORTHOGRAPHIC);
+        assertThat(scene.views().getFirst().camera().viewHeight()).isEqualTo(3);
     }
 }

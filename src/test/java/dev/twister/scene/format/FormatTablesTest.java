@@ -7,6 +7,7 @@ import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.MeshAnimation;
 import dev.twister.scene.Physics;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Shading;
@@ -69,6 +70,7 @@ class FormatTablesTest {
                         Mesh.DEFAULT,
                         Stream.concat(BodyProperties.MESH.stream(), Stream.of(BodyProperties.SMOOTH))
                                 .toList()));
+        tables.put("animation", table(MeshAnimation.NONE, BodyProperties.ANIMATION));
         tables.put("plane", table(Ground.DEFAULT, BodyProperties.PLANE));
         tables.put("sky", table(Sky.of(Path.of("")), SceneProperties.SKY));
         tables.put("shading", table(Shading.DEFAULT, SceneProperties.SHADING));

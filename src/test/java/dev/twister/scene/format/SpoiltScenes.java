@@ -290,8 +290,8 @@ final class SpoiltScenes {
                     "too many samples",
                     true,
                     "\"samplesPerPixel\": 4",
-                    "\"samplesPerPixel\": 1025",
-                    "11:100: $.rendering.samplesPerPixel is 1025, but must be a whole number from 1 to 1024"),
+                    "\"samplesPerPixel\": 65537",
+                    "11:100: $.rendering.samplesPerPixel is 65537, but must be a whole number from 1 to 65536"),
             new Spoilt(
                     "too many bounces",
                     true,

@@ -2,6 +2,7 @@ package dev.twister.scene.format;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
@@ -31,6 +32,19 @@ class ViewsTest {
     void makeASky() throws IOException {
         Files.createFile(folder.resolve("sky.hdr"));
         Files.createFile(folder.resolve("earth.png"));
+    }
+
+    @Test
+    void aFisheyeSeesWiderThanPerspective() throws IOException {
+        String wide = VIEWS.replace("\"fieldOfView\": 50", "\"fieldOfView\": 250");
+
+        assertThatThrownBy(() -> SceneReader.read(file(wide)))
+                .hasMessageEndingWith("$.views[0].fieldOfView is 250, but must be a number from 1 to 179 degrees");
+        String fisheye = wide.replace("\"fieldOfView\": 250", "\"projection\": \"fisheye\", \"fieldOfView\": 250");
+        Path file = file(fisheye);
+        Files.writeString(file, Files.readString(file).replace("\"version\": 2", "\"version\": 4"));
+        Scene scene = SceneReader.read(file);
+        assertThat(scene.views().getFirst().camera().fieldOfViewDegrees()).isEqualTo(250);
     }
 
     @Test

@@ -20,7 +20,7 @@ class MeshGeometryTest {
         }
         float[] none = {};
 
-        MeshGeometry geometry = MeshGeometry.of(new TriangleMesh(positions, none, none, none, none, corners));
+        MeshGeometry geometry = MeshGeometry.of(new TriangleMesh(positions, none, none, none, none, corners), false);
 
         assertThat(geometry.counts().nodes()).isOne();
         assertThat(geometry.floats()[Layout.NODE_SPHERES]).isEqualTo(2);

@@ -1,5 +1,6 @@
 package dev.twister.engine.tornado;
 
+import dev.twister.engine.ConvergingPicture;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.FrameFit;
@@ -56,6 +57,14 @@ final class TornadoEngine implements Engine {
     @Override
     public void render(FrameInput input, Frame frame) {
         FrameFit.check(input, frame);
+        if (input.samplesPerPixel() > TornadoKernel.MOST_SAMPLES) {
+            ConvergingPicture.draw(this, input, frame, 0, input.samplesPerPixel(), _ -> {});
+        } else {
+            renderAtOnce(input, frame);
+        }
+    }
+
+    private void renderAtOnce(FrameInput input, Frame frame) {
         FrameStop stop = FrameStop.of(frame);
         stop.check();
         try {

@@ -13,13 +13,14 @@ import uk.ac.manchester.tornado.api.types.arrays.IntArray;
 
 /** The code that TornadoVM compiles; public for {@link DeviceClassLoader}. */
 public final class TornadoKernel implements Supplier<DrawTask> {
+    /** More samples per pixel are rendered in several passes. */
+    static final int MOST_SAMPLES = 1024;
+
     static final int FEW_SCRATCH = Layout.CANDIDATE_STRIDE * SphereHierarchy.FEWEST_SPHERES;
 
     /** Place in {@code frame}, behind all else, of the number of the first pixel in {@code pixels}. */
-    static final int FIRST_PIXEL = Layout.DISC
-            + 2 * Rendering.MAX_SHADOW_SAMPLES
-            + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL
-            + Layout.MOST_TILES;
+    static final int FIRST_PIXEL =
+            Layout.DISC + 2 * Rendering.MAX_SHADOW_SAMPLES + Layout.SAMPLE_STRIDE * MOST_SAMPLES + Layout.MOST_TILES;
 
     @Override
     public DrawTask get() {

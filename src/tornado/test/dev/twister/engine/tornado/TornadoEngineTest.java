@@ -92,12 +92,24 @@ class TornadoEngineTest {
             Pictures.requireSequentials(engine, world.snapshot());
             world.setSettings(settings.withBounces(Rendering.MAX_BOUNCES));
             Pictures.requireSequentials(engine, world.snapshot());
-            world.setSettings(settings.withSamplesPerPixel(Rendering.MAX_SAMPLES_PER_PIXEL)
-                    .withShadowSamples(1));
+            world.setSettings(
+                    settings.withSamplesPerPixel(TornadoKernel.MOST_SAMPLES).withShadowSamples(1));
             Pictures.requireSequentials(engine, world.snapshot());
             world.setSettings(settings.withTone(1.5, ToneMap.REINHARD, true));
             Pictures.requireSequentials(engine, world.snapshot());
             assertThat(engine.plan()).containsSame(plan);
+        }
+    }
+
+    @Test
+    void moreSamplesThanTheBuffersHoldAreDrawnInPasses() {
+        try (TornadoEngine engine = Devices.openFirst()) {
+            input(17, 9);
+            world.setSettings(
+                    world.settings().withShadowSamples(1).withSamplesPerPixel(2 * TornadoKernel.MOST_SAMPLES + 6));
+            FrameInput many = world.snapshot();
+            Pictures.requireSequentials(engine, many);
+            Pictures.requireSequentialsRadiance(engine, many);
         }
     }
 
@@ -294,7 +306,7 @@ class TornadoEngineTest {
             // the pixels.
             long tables = 4L
                     * (2 * Rendering.MAX_SHADOW_SAMPLES
-                            + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL
+                            + Layout.SAMPLE_STRIDE * TornadoKernel.MOST_SAMPLES
                             + Layout.MOST_TILES);
             assertThat(copied.bytesIn()).isBetween(1L, 2 * tables + 5 * ROOM);
             assertThat(copied.bytesOut()).isEqualTo(4L * 320 * 180);
@@ -332,7 +344,7 @@ class TornadoEngineTest {
     private static void requireLittleCopied(DevicePlan plan, FrameInput input) {
         long frame = Layout.DISC
                 + 2L * Rendering.MAX_SHADOW_SAMPLES
-                + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL
+                + Layout.SAMPLE_STRIDE * TornadoKernel.MOST_SAMPLES
                 + Layout.MOST_TILES;
         long most = 2
                         * Float.BYTES

@@ -2,6 +2,7 @@ package dev.twister.engine.tornado;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
+import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
@@ -61,6 +62,27 @@ class ViewsOnDeviceTest {
                 Pictures.requireSequentialsRadiance(engine, world.snapshot().withGuides());
                 Pictures.requireSequentialsRadiance(engine, world.snapshot().withLightLayers(world.lightGroups()));
             }
+        }
+    }
+
+    static Stream<Object[]> projectionsOnDevices() {
+        return Devices.namedOffers().stream()
+                .flatMap(offer ->
+                        Stream.of(CameraProjection.values()).map(projection -> new Object[] {projection, offer}));
+    }
+
+    @ParameterizedTest(name = "{0} on {1}")
+    @MethodSource("projectionsOnDevices")
+    void projectionIsSequentials(CameraProjection projection, EngineOffer offer) {
+        World world = SceneSamples.world(11, FEW);
+        world.setCamera(world.scene().camera().withProjection(projection).withAperture(0.1));
+        world.setSettings(Rendering.DEFAULT
+                .withSize(80, 45)
+                .withShadowSamples(9)
+                .withBounces(2)
+                .withSamplesPerPixel(2));
+        try (Engine engine = offer.opener().get()) {
+            Pictures.requireSequentialsRadiance(engine, world.snapshot());
         }
     }
 

@@ -1,6 +1,7 @@
 package dev.twister.engine.vector.frame;
 
 import dev.twister.engine.vector.lanes.BodyList;
+import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Texture;
 import dev.twister.kernel.Tone;
@@ -66,6 +67,7 @@ public final class Declined {
         int toneMap = (int) input.view().frame()[Layout.TONE_MAP];
         hits = (input.variant(false) & (Variant.MASKS | Variant.TWINS)) != 0
                 || occluders.count > MOST_OCCLUDERS
+                || input.view().frame()[Layout.CAMERA_PROJECTION] != CameraRay.PERSPECTIVE
                 || input.view().frame()[Layout.CAMERA_MEDIUM] > Layout.NOTHING
                 || isCameraInside(input)
                 || isCameraOnASurface(input);

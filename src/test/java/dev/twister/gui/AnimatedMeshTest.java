@@ -1,0 +1,113 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.gui.camera.FilmBar;
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.panel.PanelRow;
+import dev.twister.gui.studio.OpenedScene;
+import dev.twister.mesh.gltf.AnimatedGltf;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.MeshAnimation;
+import dev.twister.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javafx.scene.control.Slider;
+import javafx.scene.layout.Pane;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Animations of meshes, played in the film bar. */
+class AnimatedMeshTest {
+    private static final int MESH = BodyNumber.ofMesh(0);
+    private static WindowDriver driver;
+
+    @TempDir
+    private Path folder;
+
+    @BeforeAll
+    static void open() {
+        driver = WindowDriver.openWithPanel();
+    }
+
+    @AfterAll
+    static void close() {
+        driver.close();
+    }
+
+    /** A triangle that goes 8 m to the right in 2 s. */
+    @BeforeEach
+    void show() throws IOException {
+        AnimatedGltf gltf = new AnimatedGltf();
+        int times = gltf.accessor("SCALAR", 0, 2);
+        int places = gltf.accessor("VEC3", 0, 0, 0, 8, 0, 0);
+        Files.writeString(
+                folder.resolve("a.gltf"),
+                gltf.channel(0, "translation", "LINEAR", times, places).text(""));
+        Mesh mesh = Mesh.of(folder.resolve("a.gltf")).withAnimation(MeshAnimation.of("move"));
+        Scene scene = WindowScenes.tiny().withMeshes(List.of(mesh));
+        driver.run(() -> driver.studio.show(new OpenedScene(Path.of("test.json"), scene)));
+        driver.await(() -> driver.studio.film().length() == 2);
+    }
+
+    private static double right() {
+        DrawnPicture picture = driver.studio.pictureProperty().get().orElseThrow();
+        Mesh mesh = picture.request().scene().meshes().getFirst();
+        return picture.meshes().file(mesh).bounds().largest().x();
+    }
+
+    private static void awaitRight(double expected) {
+        driver.await(() -> Math.abs(right() - expected) < 1e-6);
+    }
+
+    @Test
+    void aTimeOfTheFilmShowsItAndTheSceneStaysAsItIs() {
+        assertThat(driver.find("#film", FilmBar.class).isVisible()).isTrue();
+
+        driver.run(() -> driver.studio.film().goTo(1));
+
+        awaitRight(5);
+        assertThat(WindowDriver.call(driver.studio::scene).meshes().getFirst().animation())
+                .isEqualTo(MeshAnimation.of("move"));
+        assertThat(WindowDriver.call(
+                        () -> driver.studio.bodies().extent(MESH).half().x()))
+                .isCloseTo(0.5, within(1e-3));
+    }
+
+    @Test
+    void playingLoops() {
+        driver.run(() -> {
+            driver.studio.film().goTo(1.9);
+            driver.studio.film().togglePlaying();
+        });
+
+        driver.await(() -> driver.studio.film().secondsProperty().get() < 1);
+
+        assertThat(WindowDriver.call(driver.studio.film().playingProperty()::get))
+                .isTrue();
+        driver.run(driver.studio.film()::togglePlaying);
+    }
+
+    @Test
+    void speedAndStartAreRowsAndTheTimeLineFollowsTheLength() {
+        driver.run(() -> driver.studio.selection().select(List.of(MESH)));
+        driver.await(() -> driver.find("#lane-meshes-0", Pane.class).isVisible());
+
+        driver.run(() -> driver.studio.edit(
+                "edit",
+                scene -> scene.withMeshes(scene.meshes().stream()
+                        .map(mesh -> mesh.withAnimation(mesh.animation().withSpeed(0.5)))
+                        .toList())));
+
+        driver.await(() -> driver.studio.film().length() == 4);
+        driver.await(() -> driver.find("#film-slider", Slider.class).getMax() >= 4);
+        assertThat(driver.find("#animation-speed", PanelRow.class).isVisible()).isTrue();
+    }
+}
