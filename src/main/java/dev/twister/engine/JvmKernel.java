@@ -61,7 +61,7 @@ public final class JvmKernel {
         path[Layout.BOUNCE] = bounce;
         Path.meet(path, body, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.images(), variant);
         if ((variant & Variant.LIGHTS) != 0) {
-            SeveralLights.choose(path, light, bodies.floats());
+            SeveralLights.choose(path, light, bodies.floats(), bodies.looks());
         }
         return Path.visible(path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
     }

@@ -13,6 +13,7 @@ import dev.twister.kernel.Refraction;
 import dev.twister.kernel.SeveralLights;
 import dev.twister.kernel.Shadow;
 import dev.twister.kernel.ShadowRay;
+import dev.twister.kernel.SpotEmitter;
 import dev.twister.scene.Vector3;
 import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
@@ -40,7 +41,7 @@ final class SurfaceRecorder {
         int variant = input.variant(false);
         Path.meet(path, body, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.images(), variant);
         for (int light = 0; light < input.lights(); light++) {
-            SeveralLights.choose(path, input.light(light), bodies.floats());
+            SeveralLights.choose(path, input.light(light), bodies.floats(), bodies.looks());
             lights.add(part(light, scratch));
         }
     }
@@ -50,7 +51,15 @@ final class SurfaceRecorder {
         float[] frame = input.view().frame();
         Bodies bodies = input.bodies();
         float visible = Path.visible(
-                path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.variant(false));
+                        path,
+                        body,
+                        scratch,
+                        frame,
+                        bodies.floats(),
+                        bodies.looks(),
+                        bodies.meshes(),
+                        input.variant(false))
+                * SpotEmitter.part(path, Layout.TO_LIGHT, input.light(light), bodies.looks());
         return new LightPart(
                 light,
                 Floats.vector(path, Layout.TO_LIGHT),

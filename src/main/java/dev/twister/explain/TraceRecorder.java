@@ -13,6 +13,7 @@ import dev.twister.kernel.Lobes;
 import dev.twister.kernel.PathTracer;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.kernel.SkyLookup;
+import dev.twister.kernel.SunEmitter;
 import dev.twister.scene.Rgb;
 import dev.twister.world.FrameInput;
 import java.util.ArrayList;
@@ -108,11 +109,10 @@ final class TraceRecorder {
         return step(source, bounce, ray, throughput, body, light, scattering);
     }
 
-    /** The light of the emitter or the sky that the ray has met. */
+    /** The light of the emitter, the sky or a sun before it that the ray has met. */
     private Optional<FoundLight> metLight(float[] ray, int body) {
         if (body == Layout.NOTHING) {
-            SkyLookup.write(ray, Layout.DIRECTION, Layout.EMITTED, frame, input.images());
-            return Optional.of(light(ray, Layout.EMITTED, ray, Emitter.skyDensity(ray, frame, looks, input.images())));
+            return Optional.of(farLight(ray));
         }
         if (Emitter.shines(ray, body, frame, looks, variant) == 0) {
             return Optional.empty();
@@ -121,6 +121,19 @@ final class TraceRecorder {
             ray[Layout.EMITTED + channel] = Emitter.emission(ray, body, channel, looks, variant);
         }
         return Optional.of(light(ray, Layout.EMITTED, ray, Emitter.density(ray, body, frame, bodies, looks, variant)));
+    }
+
+    private FoundLight farLight(float[] ray) {
+        for (int sun = 0; sun < (int) frame[Layout.SUNS]; sun++) {
+            int emitter = SunEmitter.first(frame) + Layout.EMITTER_STRIDE * sun;
+            int body = (int) looks[emitter + Layout.EMITTER_BODY];
+            if (SunEmitter.isMet(ray, body, bodies) != 0) {
+                int emission = Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION;
+                return light(looks, emission, ray, SunEmitter.density(emitter, bodies, looks));
+            }
+        }
+        SkyLookup.write(ray, Layout.DIRECTION, Layout.EMITTED, frame, input.images());
+        return light(ray, Layout.EMITTED, ray, Emitter.skyDensity(ray, frame, looks, input.images()));
     }
 
     private static FoundLight light(float[] array, int radiance, float[] ray, float emitterDensity) {

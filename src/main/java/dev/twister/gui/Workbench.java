@@ -38,6 +38,7 @@ import dev.twister.gui.studio.Film;
 import dev.twister.gui.studio.MotionControl;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
+import dev.twister.scene.light.LightShape;
 import dev.twister.world.StageOrView;
 import java.util.List;
 import java.util.Optional;
@@ -292,7 +293,9 @@ final class Workbench implements AutoCloseable {
                 .on(Command.REDO_ALSO, studio::redo)
                 .on(Command.INSERT, bodies::insert)
                 .on(Command.INSERT_MESH, files.assets()::insertMesh)
-                .on(Command.INSERT_LIGHT, bodies::insertLight)
+                .on(Command.INSERT_LIGHT, () -> bodies.insert(LightShape.Kind.SPHERE))
+                .on(Command.INSERT_SUN, () -> bodies.insert(LightShape.Kind.SUN))
+                .on(Command.INSERT_SPOT, () -> bodies.insert(LightShape.Kind.SPOT))
                 .on(Command.DUPLICATE, bodies::duplicate)
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)

@@ -1,8 +1,8 @@
 package dev.twister.kernel;
 
 /**
- * The emitters of path tracing: lights, spheres and triangles that emit, and the sky. {@link Layout#EMITTER_STRIDE}
- * describes their table.
+ * The emitters of path tracing: lights, spheres and triangles that emit, suns, and the sky.
+ * {@link Layout#EMITTER_STRIDE} describes their table.
  */
 public final class Emitter {
     private Emitter() {}
@@ -42,8 +42,13 @@ public final class Emitter {
                 path[Layout.EMITTED + 1] = looks[look + Layout.LOOK_EMISSION + 1];
                 path[Layout.EMITTED + 2] = looks[look + Layout.LOOK_EMISSION + 2];
                 int isTriangle = isTriangle(emitter, looks, variant);
-                if (isTriangle == 0) {
+                int isSun = Illumination.isSun(body, looks);
+                if (isSun != 0) {
+                    SunEmitter.choose(path, body, first, second, bodies);
+                }
+                if ((isTriangle | isSun) == 0) {
                     SphereEmitter.choose(path, body, first, second, bodies);
+                    SpotEmitter.dim(path, body, looks);
                     if ((variant & Variant.MAPS) != 0) {
                         EmissionMap.ofSphere(path, body, frame, bodies, looks, images);
                     }
@@ -71,20 +76,33 @@ public final class Emitter {
     public static int chosen(float[] path, int bounce, float[] frame, float[] looks) {
         float number = Noise.fresh(path, Noise.emitter(bounce), frame);
         int start = (int) frame[Layout.EMITTER_TABLE];
-        int low = 0;
+        int emitter = 0;
         if (frame[Layout.LIGHT_TREE] > 0f) {
-            low = LightTree.choose(path, number, frame, looks);
+            emitter = LightTree.choose(path, number, frame, looks);
         } else {
-            int high = (int) frame[Layout.EMITTERS] - 1;
-            while (low < high) {
-                int middle = (low + high) / 2;
-                int above = looks[start + Layout.EMITTER_STRIDE * middle + Layout.EMITTER_END] <= number ? 1 : 0;
-                low = above != 0 ? middle + 1 : low;
-                high = above != 0 ? high : middle;
-            }
-            path[Layout.CHOICE] = looks[start + Layout.EMITTER_STRIDE * low + Layout.EMITTER_PROBABILITY];
+            emitter = byPower(path, 0, number, frame, looks);
         }
-        return start + Layout.EMITTER_STRIDE * low;
+        return start + Layout.EMITTER_STRIDE * emitter;
+    }
+
+    /**
+     * The number of the emitter whose part of all probabilities holds a number. Writes its probability to
+     * {@link Layout#CHOICE}.
+     *
+     * @param first the emitters before it are left out
+     */
+    static int byPower(float[] path, int first, float number, float[] frame, float[] looks) {
+        int start = (int) frame[Layout.EMITTER_TABLE];
+        int low = first;
+        int high = (int) frame[Layout.EMITTERS] - 1;
+        while (low < high) {
+            int middle = (low + high) / 2;
+            int above = looks[start + Layout.EMITTER_STRIDE * middle + Layout.EMITTER_END] <= number ? 1 : 0;
+            low = above != 0 ? middle + 1 : low;
+            high = above != 0 ? high : middle;
+        }
+        path[Layout.CHOICE] = looks[start + Layout.EMITTER_STRIDE * low + Layout.EMITTER_PROBABILITY];
+        return low;
     }
 
     private static int isTriangle(int emitter, float[] looks, int variant) {
@@ -95,8 +113,13 @@ public final class Emitter {
         return isTriangle;
     }
 
-    /** One channel of the radiance that the surface at {@link Layout#POINT} emits. */
+    /** One channel of the radiance that the surface at {@link Layout#POINT} emits against the path's ray. */
     public static float emission(float[] path, int body, int channel, float[] looks, int variant) {
+        return brightest(path, body, channel, looks, variant) * SpotEmitter.part(path, Layout.DIRECTION, body, looks);
+    }
+
+    /** As above, on a spot's axis. */
+    private static float brightest(float[] path, int body, int channel, float[] looks, int variant) {
         float emission = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION + channel];
         if ((variant & Variant.MAPS) != 0) {
             emission = path[Layout.EMISSION + channel];
@@ -121,9 +144,9 @@ public final class Emitter {
      * @param path after {@link Surface#find} and {@link Surface#face}
      */
     public static int shines(float[] path, int body, float[] frame, float[] looks, int variant) {
-        float emission = emission(path, body, 0, looks, variant)
-                + emission(path, body, 1, looks, variant)
-                + emission(path, body, 2, looks, variant);
+        float emission = brightest(path, body, 0, looks, variant)
+                + brightest(path, body, 1, looks, variant)
+                + brightest(path, body, 2, looks, variant);
         int mesh = Surface.isMesh(body, frame, variant);
         float along = mesh != 0 ? Facet.directionDot(path, Layout.FACE) : path[Layout.FROM_INSIDE];
         int seen = (along <= 0f ? 1 : 0) | (mesh & isTwoSided(body, looks));

@@ -37,9 +37,47 @@ public final class Illumination {
      * @param light its body
      */
     public static void aim(float[] path, int light, float[] bodies) {
-        float x = bodies[Layout.PLACE_STRIDE * light] - path[Layout.POINT];
-        float y = bodies[Layout.PLACE_STRIDE * light + 1] - path[Layout.POINT + 1];
-        float z = bodies[Layout.PLACE_STRIDE * light + 2] - path[Layout.POINT + 2];
+        int place = Layout.PLACE_STRIDE * light;
+        aim(
+                path,
+                bodies[place] - path[Layout.POINT],
+                bodies[place + 1] - path[Layout.POINT + 1],
+                bodies[place + 2] - path[Layout.POINT + 2]);
+    }
+
+    /** As above, for a light of any kind: a sun is everywhere in the same direction. */
+    public static void aimAtAny(float[] path, int light, float[] bodies, float[] looks) {
+        aim(
+                path,
+                fromPoint(path, light, 0, bodies, looks),
+                fromPoint(path, light, 1, bodies, looks),
+                fromPoint(path, light, 2, bodies, looks));
+    }
+
+    private static float fromPoint(float[] path, int light, int axis, float[] bodies, float[] looks) {
+        float place = bodies[Layout.PLACE_STRIDE * light + axis];
+        return isSun(light, looks) != 0 ? place : place - path[Layout.POINT + axis];
+    }
+
+    /** 1 if the light is a sun, else 0. */
+    static int isSun(int light, float[] looks) {
+        return looks[Layout.LOOK_STRIDE * light + Layout.LOOK_LIGHT] == Layout.SUN_LIGHT ? 1 : 0;
+    }
+
+    /** One coordinate of the center of the light that shades {@link Layout#POINT}. */
+    static float center(float[] path, int axis, float[] bodies, float[] looks, int variant) {
+        int light = shading(path, variant);
+        float center = bodies[Layout.PLACE_STRIDE * light + axis];
+        if ((variant & Variant.LIGHTS) != 0) {
+            center = isSun(light, looks) != 0 ? center + path[Layout.POINT + axis] : center;
+        }
+        return center;
+    }
+
+    private static void aim(float[] path, float centerX, float centerY, float centerZ) {
+        float x = centerX;
+        float y = centerY;
+        float z = centerZ;
         float distanceSquared = x * x + y * y + z * z;
         float inverse = KernelMath.inverseRoot(distanceSquared);
         x = x * inverse;

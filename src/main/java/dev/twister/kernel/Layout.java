@@ -106,7 +106,7 @@ public final class Layout {
     /** Place in {@code bodies} of the root over the spheres that cast shadows, which lights do not. */
     public static final int SHADOW_ROOT = 48;
 
-    /** Place in {@code looks} of the tree over the emitters but the sky ({@link LightTree}); 0 without one. */
+    /** Place in {@code looks} of the tree over the emitters but suns and sky ({@link LightTree}); 0 without one. */
     public static final int LIGHT_TREE = 49;
 
     /** Number of the first of the pixel's samples in the infinite sequence. */
@@ -133,13 +133,16 @@ public final class Layout {
 
     public static final int CAMERA_OUTER_MEDIUM = 55;
 
+    /** Number of suns, whose emitters are the last ones but the sky's. */
+    public static final int SUNS = 56;
+
     /** Place of the pixel's samples in {@code frame}. */
-    public static final int SAMPLES = 56;
+    public static final int SAMPLES = 57;
 
     /**
      * The points of the unit sunflower, x and y of each shadow sample; then, at {@link #SAMPLES}, the pixel's samples.
      */
-    public static final int DISC = 57;
+    public static final int DISC = 58;
 
     /**
      * A sample of the pixel, {@value #SAMPLE_STRIDE} floats: its position in the pixel, x and y in (0, 1); then pairs
@@ -155,7 +158,7 @@ public final class Layout {
     /** The largest number of bounces. */
     public static final int MOST_BOUNCES = 64;
 
-    /** Numbers of bodies; the first light's. */
+    /** Numbers of bodies; the first light's, which is nowhere if that is a sun. */
     public static final int LIGHT = 0;
 
     public static final int PLANE = 1;
@@ -211,8 +214,20 @@ public final class Layout {
     /** A light's factor of what it adds to the brightness of matte surfaces; 0 for other bodies. */
     public static final int LOOK_SHARE = 18;
 
-    /** 1 for a light, which is drawn in its own color, else 0. */
+    /** What kind of light the body is; 0 for none. */
     public static final int LOOK_LIGHT = 19;
+
+    /** A light that is a sphere, which is drawn in its own color. */
+    public static final int SPHERE_LIGHT = 1;
+
+    /**
+     * A sun, which no ray hits. Its place is a vector toward it that is longer than any shadow ray need be; its size,
+     * divided by that length, is the sine of the angle that its radius fills.
+     */
+    public static final int SUN_LIGHT = 2;
+
+    /** A sphere that shines in a cone of directions ({@link SpotEmitter}). */
+    public static final int SPOT_LIGHT = 3;
 
     /** The reflectivity beside a metal, for path tracing. */
     public static final int LOOK_BESIDE_METAL = 20;
@@ -220,7 +235,14 @@ public final class Layout {
     /** What is missing of the dielectric reflectance in path tracing, in [0, 1]. */
     public static final int LOOK_SPECULAR_LOSS = 21;
 
-    public static final int LOOK_STRIDE = 24;
+    /** A spot's axis: the unit vector in which it shines. */
+    public static final int LOOK_SPOT_AXIS = 22;
+
+    /** Factor and summand that make the cosine of the angle with the axis the root of the part that a spot shines. */
+    public static final int LOOK_SPOT_SCALE = 25;
+
+    public static final int LOOK_SPOT_OFFSET = 26;
+    public static final int LOOK_STRIDE = 28;
 
     /**
      * After the bodies' looks, from {@link #MAPS} on, a table of the materials with maps. A row has first the maps. A
@@ -283,7 +305,7 @@ public final class Layout {
      * After the maps' table, from {@link #EMITTER_TABLE} on, the emitters of path tracing, each with the sum of the
      * probabilities up to and including its own, its probability, its body ({@link #NOTHING} for the sky), for a
      * triangle its instance, its number (else -1) and its area in square meters, and the number of its leaf in the
-     * tree.
+     * tree. The suns come before the sky, which is the last.
      */
     public static final int EMITTER_END = 0;
 
@@ -296,10 +318,11 @@ public final class Layout {
     public static final int EMITTER_STRIDE = 7;
 
     /**
-     * After the emitters, from {@link #LIGHT_TREE} on, a tree over them, the sky apart. A node with n leaves has as its
-     * first child the node that follows it, with the first n / 2 of them, rounded down; after that one's nodes comes
-     * the second child. A node has a sphere around its emitters, the sum of their powers, and a cone that holds the
-     * directions to which they emit most: a unit axis, cosine and sine of its half angle, at most a straight one.
+     * After the emitters, from {@link #LIGHT_TREE} on, a tree over them, the suns and the sky apart. A node with n
+     * leaves has as its first child the node that follows it, with the first n / 2 of them, rounded down; after that
+     * one's nodes comes the second child. A node has a sphere around its emitters, the sum of their powers, and a cone
+     * that holds the directions to which they emit most: a unit axis, cosine and sine of its half angle, at most a
+     * straight one.
      */
     public static final int LIGHTS_CENTER = 0;
 

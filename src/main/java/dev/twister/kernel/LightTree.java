@@ -17,8 +17,8 @@ public final class LightTree {
     private LightTree() {}
 
     /**
-     * The number of an emitter that may light {@link Layout#POINT}, or of the sky's. Writes its probability to
-     * {@link Layout#CHOICE}, and {@link Layout#LIT_NORMAL}.
+     * The number of an emitter that may light {@link Layout#POINT}, or of a sun's or the sky's. Writes its probability
+     * to {@link Layout#CHOICE}, and {@link Layout#LIT_NORMAL}.
      *
      * @param number in [0, 1)
      */
@@ -52,9 +52,13 @@ public final class LightTree {
             start = isFirst != 0 ? start : middle;
             end = isFirst != 0 ? middle : end;
         }
-        int isSky = number < lights ? 0 : 1;
-        path[Layout.CHOICE] = isSky != 0 ? 1f - lights : chance;
-        return isSky != 0 ? leaves(frame) : (int) looks[node + Layout.LIGHTS_EMITTER];
+        int emitter = (int) looks[node + Layout.LIGHTS_EMITTER];
+        if (number < lights) {
+            path[Layout.CHOICE] = chance;
+        } else {
+            emitter = Emitter.byPower(path, leaves(frame), number, frame, looks);
+        }
+        return emitter;
     }
 
     /**
@@ -87,19 +91,15 @@ public final class LightTree {
         return chance;
     }
 
-    /** Number of the emitters but the sky. */
+    /** Number of the emitters but suns and sky. */
     private static int leaves(float[] frame) {
-        return (int) frame[Layout.EMITTERS] - (frame[Layout.SKY_EMITTER] > 0f ? 1 : 0);
+        return (int) frame[Layout.EMITTERS] - (int) frame[Layout.SUNS] - (frame[Layout.SKY_EMITTER] > 0f ? 1 : 0);
     }
 
-    /** Probability of the emitters but the sky. */
+    /** Probability of the emitters but suns and sky. */
     private static float lightsPart(float[] frame, float[] looks) {
-        float part = 1f;
-        if (frame[Layout.SKY_EMITTER] > 0f) {
-            int sky = (int) frame[Layout.EMITTER_TABLE] + Layout.EMITTER_STRIDE * leaves(frame);
-            part = 1f - looks[sky + Layout.EMITTER_PROBABILITY];
-        }
-        return part;
+        int last = (int) frame[Layout.EMITTER_TABLE] + Layout.EMITTER_STRIDE * (leaves(frame) - 1);
+        return looks[last + Layout.EMITTER_END];
     }
 
     /** The probability of the first of two nodes, seen from a point. */

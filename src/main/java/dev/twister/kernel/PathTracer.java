@@ -150,6 +150,7 @@ public final class PathTracer {
             int variant) {
         int toEmitter = 0;
         if (body == Layout.NOTHING) {
+            addSuns(path, bounce, scratch, frame, bodies, looks, variant);
             addSky(path, bounce, scratch, frame, looks, images, variant);
         }
         if (body > Layout.NOTHING) {
@@ -213,6 +214,31 @@ public final class PathTracer {
         add(path, weight);
         LightLayers.add(path, scratch, Layout.NOTHING, weight, frame, looks, variant);
         Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
+    }
+
+    /** Adds the light of the suns before the sky. */
+    private static void addSuns(
+            float[] path, int bounce, float[] scratch, float[] frame, float[] bodies, float[] looks, int variant) {
+        int first = SunEmitter.first(frame);
+        int count = (int) frame[Layout.SUNS];
+        for (int sun = 0; sun < count; sun++) {
+            int emitter = first + Layout.EMITTER_STRIDE * sun;
+            int body = (int) looks[emitter + Layout.EMITTER_BODY];
+            if (SunEmitter.isMet(path, body, bodies) != 0) {
+                float weight = 1f;
+                if (path[Layout.SURFACE_DENSITY] > 0f) {
+                    weight = weight(path[Layout.SURFACE_DENSITY], SunEmitter.density(emitter, bodies, looks));
+                }
+                int emission = Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION;
+                path[Layout.EMITTED] = looks[emission];
+                path[Layout.EMITTED + 1] = looks[emission + 1];
+                path[Layout.EMITTED + 2] = looks[emission + 2];
+                weight = clamped(path, weight, bounce, frame);
+                add(path, weight);
+                LightLayers.add(path, scratch, body, weight, frame, looks, variant);
+                Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
+            }
+        }
     }
 
     private static void addEmission(

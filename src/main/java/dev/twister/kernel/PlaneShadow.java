@@ -12,11 +12,10 @@ final class PlaneShadow {
      * @param own the body that the point lies on
      * @param discRadius in meters
      */
-    static int mayBlock(float[] path, int own, float discRadius, float[] bodies, int variant) {
-        int place = Layout.PLACE_STRIDE * Illumination.shading(path, variant);
+    static int mayBlock(float[] path, int own, float discRadius, float[] bodies, float[] looks, int variant) {
         float height = bodies[Layout.PLACE_STRIDE * Layout.PLANE + 1];
         float above = path[Layout.POINT + 1] - height;
-        float light = bodies[place + 1] - height;
+        float light = Illumination.center(path, 1, bodies, looks, variant) - height;
         float reach = discRadius * Shadow.RELATIVE_MARGIN;
         int below = (above > 0f ? 1 : 0) & (light < reach ? 1 : 0);
         int over = (above < 0f ? 1 : 0) & (light > -reach ? 1 : 0);
@@ -30,19 +29,20 @@ final class PlaneShadow {
      * @param x the sample's position along U, at distance 1
      * @param y the sample's position along W, at distance 1
      */
-    static int blocks(float[] path, float x, float y, float[] bodies, int variant) {
-        int light = Layout.PLACE_STRIDE * Illumination.shading(path, variant);
+    static int blocks(float[] path, float x, float y, float[] bodies, float[] looks, int variant) {
         int plane = Layout.PLACE_STRIDE * Layout.PLANE;
         float distance = path[Layout.LIGHT_DISTANCE];
         float above = path[Layout.POINT + 1] - bodies[plane + 1];
-        float sampleAbove = bodies[light + 1]
+        float sampleAbove = Illumination.center(path, 1, bodies, looks, variant)
                 - bodies[plane + 1]
                 + distance * (path[Layout.DISC_U_Y] * x + path[Layout.DISC_W + 1] * y);
         int blocks = 0;
         if (above * sampleAbove < 0f) {
             float part = above / (above - sampleAbove);
-            float toX = bodies[light] + distance * (path[Layout.DISC_W] * y) - path[Layout.POINT];
-            float toZ = bodies[light + 2]
+            float toX = Illumination.center(path, 0, bodies, looks, variant)
+                    + distance * (path[Layout.DISC_W] * y)
+                    - path[Layout.POINT];
+            float toZ = Illumination.center(path, 2, bodies, looks, variant)
                     + distance * (path[Layout.DISC_U_Z] * x + path[Layout.DISC_W + 2] * y)
                     - path[Layout.POINT + 2];
             blocks = Intersection.isOnSquare(

@@ -14,9 +14,9 @@ public final class SeveralLights {
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      */
-    public static void choose(float[] path, int light, float[] bodies) {
+    public static void choose(float[] path, int light, float[] bodies, float[] looks) {
         path[Layout.SHADING_LIGHT] = light;
-        Illumination.aim(path, light, bodies);
+        Illumination.aimAtAny(path, light, bodies, looks);
     }
 
     /**
@@ -43,11 +43,12 @@ public final class SeveralLights {
         int count = (int) frame[Layout.LIGHTS];
         for (int index = 0; index < count; index++) {
             int light = at(index, frame, looks);
-            choose(path, light, bodies);
+            choose(path, light, bodies, looks);
             float visible = 1f;
             if (shadowed != 0) {
                 visible = Path.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
             }
+            visible = visible * SpotEmitter.part(path, Layout.TO_LIGHT, light, looks);
             int look = Layout.LOOK_STRIDE * light;
             float part = part(path, light, visible, looks);
             sum = sum + part;
@@ -81,7 +82,7 @@ public final class SeveralLights {
         float sum = 0f;
         int count = (int) frame[Layout.LIGHTS];
         for (int index = 0; index < count; index++) {
-            choose(path, at(index, frame, looks), bodies);
+            choose(path, at(index, frame, looks), bodies, looks);
             sum = sum + Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
         }
         return sum / count;

@@ -61,7 +61,7 @@ public final class Shadow {
             int light = Illumination.shading(path, variant);
             float discRadius = 2f * bodies[Layout.PLACE_STRIDE * light + Layout.PLACE_SIZE];
             face(path, discRadius, frame);
-            int plane = PlaneShadow.mayBlock(path, own, discRadius, bodies, variant);
+            int plane = PlaneShadow.mayBlock(path, own, discRadius, bodies, looks, variant);
             int count = candidates(path, own, scratch, frame, bodies, looks, variant);
             visible = count == ALL_HIDDEN ? 0f : 1f;
             int mesh = 0;
@@ -155,7 +155,7 @@ public final class Shadow {
             float pastPlane = 1f;
             if (plane != 0) {
                 Views.count(path, Views.TESTS, 1, variant);
-                pastPlane = PlaneShadow.blocks(path, x, y, bodies, variant) != 0
+                pastPlane = PlaneShadow.blocks(path, x, y, bodies, looks, variant) != 0
                         ? transmission(Layout.PLANE, looks, variant)
                         : 1f;
             }

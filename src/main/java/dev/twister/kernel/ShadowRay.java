@@ -26,8 +26,8 @@ public final class ShadowRay {
         float scale = path[Layout.DISC_SCALE];
         float x = frame[Layout.DISC + 2 * sample] * scale;
         float y = frame[Layout.DISC + 2 * sample + 1] * scale;
-        int blocked = PlaneShadow.mayBlock(path, own, discRadius, bodies, variant)
-                & PlaneShadow.blocks(path, x, y, bodies, variant);
+        int blocked = PlaneShadow.mayBlock(path, own, discRadius, bodies, looks, variant)
+                & PlaneShadow.blocks(path, x, y, bodies, looks, variant);
         float pastPlane = blocked != 0 ? Shadow.transmission(Layout.PLANE, looks, variant) : 1f;
         float light = pastPlane * light(path, own, x, y, scratch, frame, bodies, looks, variant);
         if ((variant & Variant.MESHES) != 0) {

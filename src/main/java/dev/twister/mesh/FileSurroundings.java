@@ -4,6 +4,7 @@ import dev.twister.scene.Camera;
 import dev.twister.scene.CameraView;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import java.util.List;
 
 /**
@@ -54,26 +55,18 @@ public record FileSurroundings(List<FileLight> lights, List<FileCamera> cameras)
     /**
      * A light of a file, without a size.
      *
-     * @param kind how far away it is
+     * @param shape what it is, and where it shines
      * @param color linear
-     * @param intensity in candela, or in lux if the light is far away
-     * @param position in meters; without meaning if the light is far away
-     * @param direction unit vector in which it shines; without meaning if the light is near
+     * @param intensity in candela, of a sun in lux
+     * @param position in meters; without meaning for a sun
      */
-    public record FileLight(Kind kind, Rgb color, double intensity, Vector3 position, Vector3 direction) {
-        /** How far away a light is. */
-        public enum Kind {
-            NEAR,
-            FAR
-        }
-
+    public record FileLight(LightShape shape, Rgb color, double intensity, Vector3 position) {
         FileLight placed(Affine placement) {
             return new FileLight(
-                    kind,
+                    shape.withDirection(placement.direction(shape.direction()).normalized()),
                     color,
                     intensity,
-                    placement.point(position),
-                    placement.direction(direction).normalized());
+                    placement.point(position));
         }
     }
 }

@@ -13,6 +13,7 @@ import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.light.Lights;
 import dev.twister.scene.property.LightProperties;
 import dev.twister.scene.property.SceneLimits;
@@ -144,18 +145,10 @@ public final class MeshStage {
         return bounds;
     }
 
-    /**
-     * The lights of a file, which have no size, as balls around its mesh: near ones are small, far ones like the sun.
-     */
+    /** The lights of a file, which have no size: near ones as small balls around its mesh. */
     private static final class StageLights {
         /** Radius of a near light, as a part of the mesh's. */
         private static final double SMALL = 0.002;
-
-        /** Distance of a far light, in radii of the mesh. */
-        private static final double FAR = 100;
-
-        /** Radius of the sun over its distance. */
-        private static final double SUN = 0.00465;
 
         private final Vector3 center;
         private final double radius;
@@ -196,21 +189,19 @@ public final class MeshStage {
         }
 
         private Placed placed(FileLight light, double scale) {
-            Vector3 toNear = light.position().minus(center);
-            boolean far = light.kind() == FileLight.Kind.FAR;
-            Vector3 place = far ? light.direction().times(-FAR * radius) : toNear;
-            double distance = Math.max(place.length(), radius);
+            boolean sun = light.shape().kind() == LightShape.Kind.SUN;
+            Vector3 place = light.position().minus(center);
+            double distance = sun ? 1 : Math.max(place.length(), radius);
             // A white surface at the distance of 1 m has this radiance; distances are scaled, and light at the mesh is
             // not.
-            double strength = light.intensity() / Math.PI * (far ? distance * distance : scale * scale);
+            double strength = light.intensity() / Math.PI * (sun ? 1 : scale * scale);
             double share = luminance(light.color()) * strength / (distance * distance);
-            Light ball = Light.of(
-                            SceneLimits.POSITION.clamp(center.plus(place)),
-                            far ? SUN * distance : SMALL * radius,
-                            light.color())
+            Light used = Light.of(SceneLimits.POSITION.clamp(light.position()), SMALL * radius, light.color())
+                    .withShape(light.shape())
                     .withStrength(strength)
                     .withShare(share);
-            return new Placed(ball, place.length() > 0 ? place.normalized() : place);
+            Vector3 toNear = place.length() > 0 ? place.normalized() : place;
+            return new Placed(used, sun ? light.shape().toward() : toNear);
         }
 
         /** How brightly a white surface at the center is lit that faces the light from whose side it is lit most. */

@@ -82,7 +82,7 @@ final class BodyStore {
     /** The first sphere's body: number of lights. */
     final int firstSphere;
 
-    /** Number of present bodies: the lights and the first spheres. */
+    /** Number of present bodies: the lights that have a place, and the first spheres. */
     int count;
 
     private double smallestRadius = Double.POSITIVE_INFINITY;
@@ -92,7 +92,7 @@ final class BodyStore {
     private final boolean walls;
 
     BodyStore(Scene scene, List<Sphere> spheres) {
-        firstSphere = scene.lights().count();
+        firstSphere = scene.lights().placed().size();
         count = firstSphere;
         int room = firstSphere + spheres.size();
         numbers = new double[STRIDE * room];
@@ -127,7 +127,7 @@ final class BodyStore {
     /** Moves the lights, as many as there are, which are fixed during the simulation. */
     void putLights(Lights lights) {
         int body = FIRST_LIGHT;
-        for (Light light : lights.list()) {
+        for (Light light : lights.placed()) {
             put(body, light.position(), light.radius());
             numbers[STRIDE * body + INVERSE_MASS] = 0;
             body++;

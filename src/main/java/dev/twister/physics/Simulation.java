@@ -154,9 +154,10 @@ public final class Simulation implements AutoCloseable {
 
     private static boolean movesAlike(Scene one, Scene other) {
         return one.physics().equals(other.physics())
-                && one.lights().count() == other.lights().count()
+                && one.lights().placed().size() == other.lights().placed().size()
+                && one.lights().first().isSun() == other.lights().first().isSun()
                 && (!one.physics().solidLight()
-                        || areAlike(one.lights().list(), other.lights().list()))
+                        || areAlike(one.lights().placed(), other.lights().placed()))
                 && one.ground().size() == other.ground().size()
                 && one.ground().height() == other.ground().height()
                 && one.pour().equals(other.pour())
@@ -295,7 +296,9 @@ public final class Simulation implements AutoCloseable {
         positions[3 * Layout.PLANE] = (float) (0 - origin.x());
         positions[3 * Layout.PLANE + 1] = (float) (surroundings.height() - origin.y());
         positions[3 * Layout.PLANE + 2] = (float) (0 - origin.z());
-        put(BodyStore.FIRST_LIGHT, start, positions, Layout.LIGHT, 1);
+        if (!scene.lights().first().isSun()) {
+            put(BodyStore.FIRST_LIGHT, start, positions, Layout.LIGHT, 1);
+        }
         inChunks((from, to) -> {
             for (int body = Math.max(from, bodies.firstSphere); body < to; body++) {
                 put(body, start, positions, Layout.FIRST_SPHERE + bodies.sphere[body], share);

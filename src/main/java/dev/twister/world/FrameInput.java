@@ -57,6 +57,11 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
         return (int) bodies.looks()[(int) view.frame()[Layout.LIGHT_TABLE] + index];
     }
 
+    /** Whether a light's body is a sun, which no ray hits. */
+    public boolean isSun(int body) {
+        return bodies.looks()[Layout.LOOK_STRIDE * body + Layout.LOOK_LIGHT] == Layout.SUN_LIGHT;
+    }
+
     /** Whether the body is a light. */
     public boolean isLight(int body) {
         return body > Layout.NOTHING && bodies.looks()[Layout.LOOK_STRIDE * body + Layout.LOOK_LIGHT] > 0;
@@ -72,7 +77,8 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
 
     /** Whether the one light that the paper's formula has is not enough. */
     public boolean hasSeveralLights() {
-        return lights() > 1 || bodies.looks()[Layout.LOOK_SHARE] != 1;
+        float[] looks = bodies.looks();
+        return lights() > 1 || looks[Layout.LOOK_SHARE] != 1 || looks[Layout.LOOK_LIGHT] != Layout.SPHERE_LIGHT;
     }
 
     public int shadowSamples() {
@@ -157,9 +163,9 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
      */
     public FrameInput withLeavesOf(int mostInLeaf) {
         float[] places = Arrays.copyOf(bodies.floats(), bodies.spheres());
-        int[] spheres = IntStream.range(1, lights())
+        int[] spheres = IntStream.range(0, lights())
                 .map(this::light)
-                .filter(light -> bodies.size(light) > 0)
+                .filter(light -> light != Layout.LIGHT && bodies.size(light) > 0 && !isSun(light))
                 .toArray();
         float[] floats = SphereHierarchy.of(places, bodyCount(), spheres, mostInLeaf);
         return new FrameInput(view, bodies.withFloats(floats), images);

@@ -106,6 +106,7 @@ public final class World {
         SceneMeshes posed = newMeshes.posed(newScene.meshes(), meshes);
         boolean sameBodies = hasBodiesOf(newScene)
                 && newScene.lights().count() == before.lights().count()
+                && newScene.lights().first().isSun() == before.lights().first().isSun()
                 && meshes.equals(posed);
         boolean sameLooks = sameBodies && hasSurfacesOf(newScene) && images.equals(newImages);
         scene = newScene;

@@ -12,6 +12,7 @@ import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyNumber;
+import dev.twister.gui.edit.BodyTransform;
 import dev.twister.gui.edit.SelectedBodies;
 import dev.twister.gui.picking.BodyOutline;
 import dev.twister.gui.picture.PathPick;
@@ -424,6 +425,25 @@ class BodiesTest {
         assertThat(selected()).isEqualTo(BodyNumber.NONE);
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene().lights().get(1).position()).isEqualTo(place);
+    }
+
+    /** A sun has rows of its own, and is turned, but not moved. */
+    @Test
+    void sunsAreInsertedAndAimed() {
+        driver.typeWith(KeyCode.INSERT, KeyCode.ALT);
+        int sun = BodyNumber.ofLight(1);
+        assertThat(selected()).isEqualTo(sun);
+        assertThat(scene().lights().get(1).isSun()).isTrue();
+        awaitRest();
+        assertThat(driver.find("#sun-size", Node.class).isVisible()).isTrue();
+        assertThat(driver.find("#light-size", Node.class).isVisible()).isFalse();
+        BodyTransform turn =
+                BodyTransform.of(scene(), SelectedBodies.of(List.of(sun))).orElseThrow();
+        driver.run(() -> driver.studio.edit("aim", scene -> turn.rotated(scene, new Vector3(0, 1, 0), 180)));
+        assertThat(scene().lights().get(1).shape().direction()).isEqualTo(new Vector3(0.5, -1, -0.5));
+        driver.run(() -> driver.studio.selection().select(BodyNumber.LIGHT));
+        awaitRest();
+        assertThat(driver.find("#light-size", Node.class).isVisible()).isTrue();
     }
 
     @Test

@@ -36,6 +36,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Path-traced pictures are, in the mean, what {@link BruteForce} finds without choosing emitters. */
 class BruteForceTest {
@@ -98,6 +99,19 @@ class BruteForceTest {
         requireMeans("three lights", new LitScene(lit.scene().withLights(lights), lit.images(), lit.meshes()));
     }
 
+    /** A large sun is found by rays that leave surfaces at random, too. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 64})
+    void sunsShineAsTheyAreSeen(double reflectivity) {
+        LitScene lit = scene(WHITE.withReflectivity(reflectivity));
+        Lights lights = lit.scene()
+                .lights()
+                .with(List.of(Light.sun(new Vector3(0.4, -0.8, 0.5), 20)
+                        .withColor(new Rgb(1, 0.8, 0.5))
+                        .withStrength(1.5)));
+        requireMeans("a sun", new LitScene(lit.scene().withLights(lights), lit.images(), lit.meshes()));
+    }
+
     private static void requireMeans(String name, LitScene lit) {
         double[][] brute = brute(lit);
         double[][] traced = traced(lit);
@@ -143,6 +157,9 @@ class BruteForceTest {
         Set<Body> lights = new HashSet<>();
         for (int index = 0; index < scene.lights().count(); index++) {
             int body = OracleTracer.lightNumber(scene, index);
+            if (scene.lights().get(index).isSun()) {
+                continue;
+            }
             SphereBody light = (SphereBody) bodies.get(body);
             bodies.set(body, new SphereBody(light.center(), light.radius(), radiating(lit, body)));
             lights.add(bodies.get(body));
@@ -150,7 +167,11 @@ class BruteForceTest {
         BruteForce tracer = new BruteForce(
                 bodies,
                 lights,
-                new OracleSky(lit.sky(), 0, 1),
+                new OracleSky(
+                        lit.sky(),
+                        0,
+                        1,
+                        scene.lights().list().stream().filter(Light::isSun).toList()),
                 scene.rendering().bounces(),
                 random);
         OracleCamera camera = new OracleCamera(scene.camera(), WIDTH, HEIGHT);

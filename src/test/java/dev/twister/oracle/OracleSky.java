@@ -1,20 +1,41 @@
 package dev.twister.oracle;
 
+import dev.twister.scene.Light;
 import dev.twister.sky.Skybox;
+import java.util.List;
 
 /** Looks up the panorama in a direction. */
 final class OracleSky {
     private final Skybox sky;
     private final double turn;
     private final double strength;
+    private final List<Light> suns;
 
     OracleSky(Skybox sky, double rotationDegrees, double strength) {
+        this(sky, rotationDegrees, strength, List.of());
+    }
+
+    /** @param suns lights before the panorama */
+    OracleSky(Skybox sky, double rotationDegrees, double strength, List<Light> suns) {
+        this.suns = suns;
         this.sky = sky;
         turn = rotationDegrees / 360;
         this.strength = strength;
     }
 
     Color color(Vector direction) {
+        Color color = panorama(direction);
+        for (Light sun : suns) {
+            double halfAngle = Math.toRadians(sun.shape().angularDiameterDegrees() / 2);
+            if (direction.dot(OracleTracer.vector(sun.shape().toward())) > Math.cos(halfAngle)) {
+                double strongest = sun.strength().orElse(1.0) / Math.pow(Math.sin(halfAngle), 2);
+                color = color.plus(Color.of(sun.color()).times(strongest));
+            }
+        }
+        return color;
+    }
+
+    private Color panorama(Vector direction) {
         double u = 0.5 + Math.atan2(direction.x(), direction.z()) / (2 * Math.PI) - turn;
         double v = 0.5 - Math.asin(Math.clamp(direction.y(), -1, 1)) / Math.PI;
         double column = u * sky.width() - 0.5;

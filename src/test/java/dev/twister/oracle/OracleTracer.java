@@ -11,6 +11,7 @@ import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.StageOrView;
@@ -21,6 +22,11 @@ import java.util.concurrent.atomic.LongAdder;
 /** Traces the color along a ray, recursively. */
 final class OracleTracer {
     private static final double PERFECT_MIRROR = 128;
+
+    /** In meters, beyond all bodies. */
+    private static final double SUN_DISTANCE = 1e7;
+
+    private static final Vector NEVER_HIT = new Vector(Double.NaN, 0, 0);
 
     /** Paths that transmit light end below this throughput. */
     private static final double LEAST_THROUGHPUT = 1.0 / 1024;
@@ -54,7 +60,33 @@ final class OracleTracer {
     }
 
     /** A light and its share. */
-    private record Lamp(SphereBody body, double share) {}
+    private record Lamp(SphereBody body, Light light) {
+        /** A sun is as far away from each point, in the same direction. */
+        SphereBody seenFrom(Vector point) {
+            return light.isSun()
+                    ? new SphereBody(
+                            point.plus(vector(light.shape().toward()).times(SUN_DISTANCE)),
+                            SUN_DISTANCE * light.shape().discSine(),
+                            body.material())
+                    : body;
+        }
+
+        double share() {
+            return light.share();
+        }
+
+        /** The part of the light of glTF's spots that goes against a direction. */
+        double part(Vector toLight) {
+            LightShape shape = light.shape();
+            if (shape.kind() != LightShape.Kind.SPOT) {
+                return 1;
+            }
+            double outer = Math.cos(Math.toRadians(shape.coneAngleDegrees() / 2));
+            double inner = Math.cos(Math.toRadians(shape.coneAngleDegrees() / 2 * (1 - shape.coneBlend())));
+            double cosine = toLight.dot(vector(shape.toward()));
+            return Math.pow(Math.clamp((cosine - outer) / Math.max(0.001, inner - outer), 0, 1), 2);
+        }
+    }
 
     /** What lights do at a surface: lit, and the sum of the highlights. */
     private record Shading(double lit, Color highlight) {}
@@ -64,7 +96,7 @@ final class OracleTracer {
         bodies.addAll(bodies(scene, images, meshes));
         for (int index = 0; index < scene.lights().count(); index++) {
             SphereBody body = (SphereBody) bodies.get(lightNumber(scene, index));
-            lamps.add(new Lamp(body, scene.lights().get(index).share()));
+            lamps.add(new Lamp(body, scene.lights().get(index)));
         }
         shadow = new OracleShadow(
                 bodies.stream().filter(body -> !isLight(body)).toList(),
@@ -83,7 +115,7 @@ final class OracleTracer {
 
     private static SphereBody body(Light light, SceneImages images) {
         return new SphereBody(
-                vector(light.position()),
+                light.isSun() ? NEVER_HIT : vector(light.position()),
                 light.radius(),
                 OracleMaterial.of(Material.DEFAULT.withColor(light.color()), images));
     }
@@ -231,9 +263,10 @@ final class OracleTracer {
         double sum = 0;
         Color highlight = Color.BLACK;
         for (Lamp lamp : lamps) {
-            SphereBody light = lamp.body();
+            SphereBody light = lamp.seenFrom(place.point());
             Vector toLight = light.center().minus(place.point()).normalized();
             double visible = shadowed ? shadow.visible(light, place.point(), place.body(), place.ray()) : 1;
+            visible *= lamp.part(toLight);
             sum += lamp.share() * Math.max(0, place.normal().dot(toLight)) * visible;
             highlight = highlight.plus(light.material().color().times(highlight(place, toLight, visible)));
         }
@@ -242,7 +275,8 @@ final class OracleTracer {
 
     private double meanVisible(Place place) {
         return lamps.stream()
-                .mapToDouble(lamp -> shadow.visible(lamp.body(), place.point(), place.body(), place.ray()))
+                .mapToDouble(
+                        lamp -> shadow.visible(lamp.seenFrom(place.point()), place.point(), place.body(), place.ray()))
                 .average()
                 .orElseThrow();
     }
@@ -325,7 +359,7 @@ final class OracleTracer {
                 : 0;
     }
 
-    private static Vector vector(Vector3 vector) {
+    static Vector vector(Vector3 vector) {
         return new Vector(vector.x(), vector.y(), vector.z());
     }
 }

@@ -55,6 +55,45 @@ class SeveralLightsTest {
         judge.requireExcusedAtMostOneIn(MESH_PIXELS_AN_EXCUSE);
     }
 
+    @Test
+    void sunsAreTheOracles() {
+        PixelJudge judge = new PixelJudge();
+        for (int seed = 0; seed < 30; seed++) {
+            Random random = new Random(seed);
+            LitScene lit = seed % 3 == 0
+                    ? RandomMeshes.scene(random, random.nextInt(4))
+                    : RandomMaterials.scene(random, random.nextInt(4));
+            LitScene scene = RandomLights.ofSuns(lit, random);
+            judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, scene), scene);
+        }
+        judge.requireExcusedAtMostOneIn(MESH_PIXELS_AN_EXCUSE);
+    }
+
+    @Test
+    void spotsAreTheOracles() {
+        PixelJudge judge = new PixelJudge();
+        for (int seed = 0; seed < 30; seed++) {
+            Random random = new Random(seed);
+            LitScene lit = seed % 3 == 0
+                    ? RandomMeshes.scene(random, random.nextInt(4))
+                    : RandomMaterials.scene(random, random.nextInt(4));
+            LitScene scene = RandomLights.ofSpots(lit, random);
+            judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, scene), scene);
+        }
+        judge.requireExcusedAtMostOneIn(MESH_PIXELS_AN_EXCUSE);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {JvmEngines.PARALLEL, "vector"})
+    void enginesAgreeOnSunsAndSpots(String engine) {
+        for (int seed = 0; seed < 6; seed++) {
+            Random random = new Random(seed);
+            LitScene lit = RandomMaterials.scene(random, 3);
+            LitScene scene = seed % 2 == 0 ? RandomLights.ofSuns(lit, random) : RandomLights.ofSpots(lit, random);
+            assertThat(Pictures.argb(engine, scene)).isEqualTo(Pictures.argb(JvmEngines.SEQUENTIAL, scene));
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {JvmEngines.PARALLEL, "vector"})
     void enginesAgreeBitForBit(String engine) {

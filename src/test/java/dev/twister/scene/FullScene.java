@@ -44,7 +44,9 @@ public final class FullScene {
                                 .withStrength(5.0)
                                 .withShare(0.75)
                                 .withGroup("lamp"),
-                        Light.of(new Vector3(-1, 2.2, 0.5), 0.2, new Rgb(0.2, 0.4, 0.9)))),
+                        Light.of(new Vector3(-1, 2.2, 0.5), 0.2, new Rgb(0.2, 0.4, 0.9)),
+                        Light.sun(new Vector3(0.3, -1, 0.2), 4),
+                        Light.spot(new Vector3(0, 3, 0), 0.1, new Vector3(0.1, -1, 0), 40))),
                 materials,
                 new Ground(5, 0, new Rgb(0.1, 0.2, 0.3), material(0.3, 10)),
                 new SceneBodies(

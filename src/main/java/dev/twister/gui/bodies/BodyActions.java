@@ -17,6 +17,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.property.SceneLimits;
 import java.util.List;
 import java.util.Optional;
@@ -49,10 +50,10 @@ public final class BodyActions {
         });
     }
 
-    public void insertLight() {
+    public void insert(LightShape.Kind kind) {
         studio.pictureProperty().get().filter(_ -> hasRoomFor(1)).ifPresent(shown -> {
-            Light light = NewBodies.light(shown.input(), studio.bodies().scene(), shown.meshes());
-            studio.insert("insert light", List.of(), List.of(light));
+            Light light = NewBodies.light(shown.input(), studio.bodies().scene(), shown.meshes(), kind);
+            studio.insert("insert " + light.shape().name(), List.of(), List.of(light));
         });
     }
 

@@ -68,6 +68,8 @@ public enum Command {
     RESET(Line.ABOVE, Group.EDIT, "Reset everything", "Shortcut+Shift+Home", "Resets all settings in the panel."),
     INSERT(Group.ADD, "Sphere", "Insert", "A new sphere on the ground in the middle of the picture."),
     INSERT_LIGHT(Line.ABOVE, Group.ADD, "Light", "Shortcut+Insert", "A new light over the middle of the picture."),
+    INSERT_SUN(Group.ADD, "Sun", "Alt+Insert", "A new sun, which shines on everything from one direction."),
+    INSERT_SPOT(Group.ADD, "Spot", "Shortcut+Alt+Insert", "A new light that shines down in a cone, over the middle."),
     INSERT_MESH(Group.ADD, "Mesh file…", "Shift+Insert", "Adds a mesh file to the scene, as large as a new sphere."),
     NEXT_SHOWN(Group.VIEW, "Next stage or view", "F4", "Shows the next stage of the picture, or the next view."),
     PREVIOUS_SHOWN(Group.VIEW, "Previous stage or view", "Shift+F4", "Shows the previous stage or view."),

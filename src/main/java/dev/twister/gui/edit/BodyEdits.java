@@ -24,6 +24,9 @@ import java.util.stream.Stream;
 
 /** Edits of a scene's bodies, by their {@link BodyNumber}. */
 public final class BodyEdits {
+    /** In meters. */
+    private static final double SUN_HANDLES = 1;
+
     private BodyEdits() {}
 
     /** Whether a scene has a light of that number. */
@@ -158,11 +161,16 @@ public final class BodyEdits {
         return isMesh(scene, body) ? mesh(scene, body) : sphere(scene, body);
     }
 
-    /** The place of a movable body: the center of a light or a sphere, the origin of a mesh's file. */
+    /**
+     * The place of a movable body: the center of a light or a sphere, the origin of a mesh's file. A sun has its
+     * handles over the middle of the ground.
+     */
     public static Vector3 position(Scene scene, int body) {
-        return isLight(scene, body)
-                ? light(scene, body).position()
-                : solid(scene, body).position();
+        if (!isLight(scene, body)) {
+            return solid(scene, body).position();
+        }
+        Light light = light(scene, body);
+        return light.isSun() ? new Vector3(0, scene.ground().height() + SUN_HANDLES, 0) : light.position();
     }
 
     /** The scene with a movable body elsewhere. */

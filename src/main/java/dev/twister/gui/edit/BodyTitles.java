@@ -68,7 +68,8 @@ public final class BodyTitles {
                     + BodyEdits.mesh(scene, body).geometry().name() + ")";
         }
         if (BodyEdits.isLight(scene, body)) {
-            return scene.lights().count() == 1 ? "Light" : "Light " + (BodyNumber.light(body) + 1);
+            String kind = property(BodyEdits.light(scene, body).shape().name());
+            return scene.lights().count() == 1 ? kind : kind + " " + (BodyNumber.light(body) + 1);
         }
         return switch (body) {
             case BodyNumber.NONE -> "Nothing";

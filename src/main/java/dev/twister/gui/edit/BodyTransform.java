@@ -82,13 +82,26 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
         return changed(scene, place -> place.plus(by), mesh -> mesh, 1);
     }
 
-    /** The scene with the bodies turned about an axis through the pivot, as a mesh's yaw, pitch and roll turn it. */
+    /**
+     * The scene with the bodies turned about an axis through the pivot, as a mesh's yaw, pitch and roll turn it. Lights
+     * then shine in another direction.
+     */
     public Scene rotated(Scene scene, Vector3 axis, double degrees) {
-        return changed(
+        Scene rotated = changed(
                 scene,
                 place -> pivot.plus(turned(place.minus(pivot), axis, degrees)),
                 mesh -> mesh.withRotation(turned(mesh.rotation(), axis, degrees)),
                 1);
+        for (int body : bodies) {
+            if (BodyEdits.isLight(start, body)) {
+                Vector3 direction = BodyEdits.light(start, body).shape().direction();
+                Light light = BodyEdits.light(rotated, body);
+                Vector3 aimed = turned(direction, axis, degrees).map(BodyTransform::rounded);
+                rotated = BodyEdits.withLight(
+                        rotated, body, light.withShape(light.shape().withDirection(aimed)));
+            }
+        }
+        return rotated;
     }
 
     /** The scene with the bodies larger, and farther from the pivot, by a factor. */
@@ -163,7 +176,7 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
     }
 
     /** Without the last digits, which are errors, and without the negative zero. */
-    private static double rounded(double degrees) {
-        return Math.rint(degrees * 1e6) / 1e6 + 0.0;
+    private static double rounded(double number) {
+        return Math.rint(number * 1e6) / 1e6 + 0.0;
     }
 }

@@ -9,11 +9,15 @@ import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.property.LightProperties;
 import dev.twister.scene.property.Property;
 import dev.twister.scene.property.SceneProperties;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** The light that was selected last, else the first one. */
@@ -21,15 +25,20 @@ final class LightSection {
     private final Studio studio;
     private final List<PropertyRow> rows;
 
+    /** The rows of each of a light's properties, by its name. */
+    private final Map<String, List<PropertyRow>> ofLight;
+
     /** Its place in the scene's list. */
     private int shown;
 
     LightSection(Studio studio) {
         this.studio = studio;
-        List<PropertyRow> ofLight =
-                LightProperties.ALL.stream().flatMap(this::rows).toList();
+        ofLight = LightProperties.ALL.stream()
+                .filter(property -> !property.row().label().isEmpty())
+                .collect(Collectors.toMap(
+                        Property::name, property -> rows(property).toList(), (one, _) -> one, LinkedHashMap::new));
         rows = Stream.concat(
-                        ofLight.stream(),
+                        ofLight.values().stream().flatMap(List::stream),
                         PropertyRow.of(
                                 Property.within(SceneProperties.SHADING, Scene::shading, Scene::withShading), studio)
                                 .stream())
@@ -86,5 +95,10 @@ final class LightSection {
             shown = 0;
         }
         rows.forEach(row -> row.show(studio.scene(), studio.document().original()));
+        LightShape.Kind kind = studio.scene().lights().get(shown).shape().kind();
+        ofLight.forEach((property, ofProperty) -> ofProperty.forEach(row -> {
+            row.row().setVisible(LightProperties.has(kind, property));
+            row.row().setManaged(row.row().isVisible());
+        }));
     }
 }

@@ -83,7 +83,9 @@ final class FreePlace {
         double middle = body.half().y() + body.middle().y();
         standing = scene.camera().position().y() >= ground ? ground + middle : ground - middle;
         others = Stream.of(
-                        IntStream.range(0, scene.lights().count()).map(BodyNumber::ofLight),
+                        IntStream.range(0, scene.lights().count())
+                                .filter(light -> !scene.lights().get(light).isSun())
+                                .map(BodyNumber::ofLight),
                         IntStream.range(0, scene.spheres().size()).map(BodyNumber::ofSphere),
                         IntStream.range(0, scene.meshes().size()).map(BodyNumber::ofMesh))
                 .flatMapToInt(numbers -> numbers)

@@ -9,6 +9,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneMeshes;
@@ -25,6 +26,9 @@ public final class NewBodies {
 
     /** Over the ground, in meters: above a new body that stands there. */
     private static final double LIGHT_HEIGHT = 3.25;
+
+    /** As large as the Earth's, over the camera's right shoulder at yaw 0. */
+    private static final Light SUN = Light.sun(new Vector3(-0.5, -1, 0.5), 0.53);
 
     private NewBodies() {}
 
@@ -72,12 +76,14 @@ public final class NewBodies {
         return 0.5 + 0.4 * Math.cos(2 * Math.PI * turns);
     }
 
-    /** A small white light; below the ground where the camera is. */
-    public static Light light(FrameInput input, Scene scene, SceneMeshes meshes) {
+    /** A white light; a small one is below the ground where the camera is. */
+    public static Light light(FrameInput input, Scene scene, SceneMeshes meshes, LightShape.Kind kind) {
         Vector3 raised = new Vector3(0, LIGHT_HEIGHT, 0);
-        return Light.of(
-                FreePlace.of(input, scene, meshes, BodyExtent.ball(raised, LIGHT_RADIUS)),
-                LIGHT_RADIUS,
-                new Rgb(1, 1, 1));
+        Vector3 place = FreePlace.of(input, scene, meshes, BodyExtent.ball(raised, LIGHT_RADIUS));
+        return switch (kind) {
+            case SPHERE -> Light.of(place, LIGHT_RADIUS, new Rgb(1, 1, 1));
+            case SUN -> SUN;
+            case SPOT -> Light.spot(place, LIGHT_RADIUS, new Vector3(0, -1, 0), 60);
+        };
     }
 }

@@ -11,6 +11,7 @@ import dev.twister.scene.Camera;
 import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.property.CameraProperties;
 import dev.twister.scene.property.SceneLimits;
 import java.util.ArrayList;
@@ -24,6 +25,12 @@ final class GltfSurroundings {
 
     /** Sine of a camera's roll that is seen. */
     private static final double ROLL = 0.01;
+
+    /** Of the Earth's sun, as the format's lights have no size. */
+    private static final double SUN_DEGREES = 0.53;
+
+    /** Half the angle of a spot's narrowest cone, in radians. */
+    private static final double LEAST_CONE = 0.001;
 
     private static final Vector3 AHEAD = new Vector3(0, 0, 1);
     private static final Vector3 ACROSS = new Vector3(1, 0, 0);
@@ -75,20 +82,24 @@ final class GltfSurroundings {
             return;
         }
         String type = light.at("type").text();
-        if (type.equals("spot")) {
-            warnings.add("spot lights shine in all directions");
-        }
         if (lights.size() == SceneLimits.MAX_LIGHTS) {
             warnings.add("there are more than " + SceneLimits.MAX_LIGHTS + " lights; the others are not read");
             return;
         }
-        FileLight.Kind kind = switch (type) {
-            case "point", "spot" -> FileLight.Kind.NEAR;
-            case "directional" -> FileLight.Kind.FAR;
+        LightShape shape = switch (type) {
+            case "point" -> LightShape.SPHERE;
+            case "spot" -> cone(light.at("spot"));
+            case "directional" -> LightShape.SUN.withAngularDiameterDegrees(SUN_DEGREES);
             default ->
                 throw light.at("type").failure("is " + QuotedText.text(type) + "; expected directional, point or spot");
         };
-        lights.add(new FileLight(kind, used, intensity, position, direction));
+        lights.add(new FileLight(shape.withDirection(direction), used, intensity, position));
+    }
+
+    private static LightShape cone(GltfPlace spot) {
+        double outer = Math.clamp(spot.at("outerConeAngle").numberOr(Math.PI / 4), LEAST_CONE, Math.PI / 2);
+        double inner = Math.clamp(spot.at("innerConeAngle").numberOr(0), 0, outer);
+        return LightShape.SPOT.withConeAngleDegrees(Math.toDegrees(2 * outer)).withConeBlend(1 - inner / outer);
     }
 
     private void addCamera(GltfPlace node, Affine placement) {

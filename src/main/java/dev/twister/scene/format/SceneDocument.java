@@ -46,6 +46,7 @@ final class SceneDocument {
                         version < ReflectivityType.METALS_SINCE ? ReflectivityType.tintedByTracks(found) : found)
                 .orElseThrow();
         problems.check(() -> LightRules.check(fields));
+        problems.check(() -> LightRules.checkShapes(scene, fields));
         problems.check(() -> LightRules.checkVisible(scene, fields));
         problems.check(() -> LightRules.checkGroups(scene, fields));
         fields.find("camera")

@@ -36,6 +36,7 @@ import dev.twister.scene.format.ValueType.Version;
 import dev.twister.scene.format.ValueType.WholeNumber;
 import dev.twister.scene.generate.Palette;
 import dev.twister.scene.generate.Pour;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.light.Lights;
 import dev.twister.scene.material.Reflectance;
 import dev.twister.scene.property.BodyProperties;
@@ -385,8 +386,25 @@ final class SceneFormat {
         return ValueType.of(property.type(), NamedFiles.UNRESOLVED);
     }
 
-    private Structure<Light> oneLight() {
-        return structure(Light.DEFAULT, List.of(fields(LightProperties.ALL), tags(Light::tag, Light::withTag)));
+    /** Without a type it is a sphere. */
+    private Shaped<Light> oneLight() {
+        List<Field<Light, ?>> tags = tags(Light::tag, Light::withTag);
+        List<Field<Light, ?>> typed = fields(LightProperties.ALL).stream()
+                .<Field<Light, ?>>map(field -> switch (field.name()) {
+                    case LightRules.TYPE -> field.inEveryFile();
+                    case LightRules.DIRECTION -> field.inEachWritten();
+                    default -> field.orDefault();
+                })
+                .toList();
+        List<Field<Light, ?>> ofSphere = fields(LightProperties.ALL).stream()
+                .filter(field -> !field.name().equals(LightRules.TYPE)
+                        && LightProperties.has(LightShape.Kind.SPHERE, field.name()))
+                .toList();
+        return new Shaped<>(
+                LightRules.TYPE,
+                structure(Light.DEFAULT, List.of(typed, tags)),
+                structure(Light.DEFAULT, List.of(ofSphere, tags)),
+                light -> light.shape().kind() != LightShape.Kind.SPHERE);
     }
 
     private <R> Structure<R> structure(R defaults, List<List<Field<R, ?>>> parts) {

@@ -28,6 +28,11 @@ public record Lights(List<Light> list) {
         return list.get(index);
     }
 
+    /** The lights that have a place. */
+    public List<Light> placed() {
+        return list.stream().filter(light -> !light.isSun()).toList();
+    }
+
     public int count() {
         return list.size();
     }

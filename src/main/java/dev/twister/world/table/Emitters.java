@@ -2,6 +2,7 @@ package dev.twister.world.table;
 
 import dev.twister.kernel.Instance;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.SunEmitter;
 import dev.twister.scene.Rgb;
 import dev.twister.sky.Skybox;
 import dev.twister.world.Bodies;
@@ -18,15 +19,13 @@ import java.util.Map;
  * @param images with the sky's probabilities behind them
  * @param table place of the emitters in the looks
  * @param count number of emitters
+ * @param suns number of emitters that are suns; they come last but for the sky
  * @param sky number of the sky's emitter, from 1 on, or 0
  * @param tree place in the looks of the tree over the other emitters, or 0
  * @param skyTable place of the sky's probabilities in the images, divided by {@link Layout#ALIGNMENT}
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
-public record Emitters(float[] looks, float[] images, int table, int count, int sky, int tree, int skyTable) {
-    /** Probability of the sky beside other emitters. */
-    private static final double SKY_PART = 0.5;
-
+public record Emitters(float[] looks, float[] images, int table, int count, int suns, int sky, int tree, int skyTable) {
     /** A body that emits, or one of its triangles. */
     private record Emitter(int body, int instance, int triangle, double area, EmitterTree.Part part) {}
 
@@ -44,7 +43,8 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
     public static Emitters of(
             Bodies bodies, int bodyCount, List<Rgb> lights, float[] images, Skybox sky, boolean skyShines) {
         float[] looks = bodies.looks().clone();
-        BodyOrder numbers = new BodyOrder(bodies.room() - Layout.FIRST_SPHERE, lights.size());
+        boolean beginsWithSun = looks[Layout.LOOK_LIGHT] == 0;
+        BodyOrder numbers = new BodyOrder(bodies.room() - Layout.FIRST_SPHERE, lights.size(), beginsWithSun);
         for (int index = 0; index < lights.size(); index++) {
             int look = Layout.LOOK_STRIDE * numbers.light(index);
             LookTable.putColor(looks, look + Layout.LOOK_EMISSION, lights.get(index));
@@ -56,32 +56,23 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
         if (bodies.firstMesh() != Layout.NO_MESHES) {
             addTriangles(bodies, looks, means, emitters);
         }
+        List<Emitter> suns = suns(bodies, looks, means);
         float[] probabilities =
                 skyShines ? SkyProbabilities.of(sky.radiance(), sky.width(), sky.height()) : new float[0];
         boolean shines = probabilities.length > 0;
         int table = looks.length;
-        int count = emitters.size() + (shines ? 1 : 0);
+        int count = emitters.size() + suns.size() + (shines ? 1 : 0);
         looks = Arrays.copyOf(looks, table + Layout.EMITTER_STRIDE * count);
-        double power =
-                emitters.stream().mapToDouble(emitter -> emitter.part().power()).sum();
-        double part = shines ? 1 - SKY_PART : 1;
-        double sum = 0;
-        int at = table;
-        for (Emitter emitter : emitters) {
-            double probability = part * emitter.part().power() / power;
-            sum += probability;
-            write(looks, at, emitter, sum, probability);
-            at += Layout.EMITTER_STRIDE;
-        }
+        // Lights, suns and the sky are chosen equally often, as how much of each reaches a point is not known.
+        int kinds = (emitters.isEmpty() ? 0 : 1) + (suns.isEmpty() ? 0 : 1) + (shines ? 1 : 0);
+        double sum = write(looks, table, emitters, 0, 1.0 / kinds);
+        int sunTable = table + Layout.EMITTER_STRIDE * emitters.size();
+        sum = write(looks, sunTable, suns, sum, 1.0 / kinds);
         if (shines) {
-            write(
-                    looks,
-                    at,
-                    new Emitter(Layout.NOTHING, -1, -1, 0, new EmitterTree.Part(TO_ALL, 0, 0, TO_ALL)),
-                    1,
-                    1 - sum);
+            Emitter far = new Emitter(Layout.NOTHING, -1, -1, 0, new EmitterTree.Part(TO_ALL, 0, 0, TO_ALL));
+            write(looks, table + Layout.EMITTER_STRIDE * (count - 1), far, 1, 1 - sum);
         } else if (count > 0) {
-            looks[at - Layout.EMITTER_STRIDE + Layout.EMITTER_END] = 1;
+            looks[table + Layout.EMITTER_STRIDE * (count - 1) + Layout.EMITTER_END] = 1;
         }
         int tree = 0;
         if (emitters.size() >= EmitterTree.FEWEST) {
@@ -95,6 +86,7 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
                 shines ? joined(images, skyTable, probabilities) : images,
                 table,
                 count,
+                suns.size(),
                 shines ? count : 0,
                 tree,
                 skyTable);
@@ -104,6 +96,7 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
     public void write(float[] frame) {
         frame[Layout.EMITTER_TABLE] = table;
         frame[Layout.EMITTERS] = count;
+        frame[Layout.SUNS] = suns;
         frame[Layout.SKY_EMITTER] = sky;
         frame[Layout.LIGHT_TREE] = tree;
         frame[Layout.SKY_TABLE] = skyTable;
@@ -126,14 +119,39 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
             Bodies bodies, int first, int end, float[] looks, EmissionMeans means, List<Emitter> emitters) {
         for (int body = first; body < end; body++) {
             double radiance = means.of(body);
-            if (radiance > 0 && body != Layout.PLANE) {
+            boolean isSun = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_LIGHT] == Layout.SUN_LIGHT;
+            if (radiance > 0 && body != Layout.PLANE && !isSun) {
                 double area = 4 * Math.PI * bodies.size(body) * bodies.size(body);
                 looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER] = 1 + emitters.size();
                 double[] center = {bodies.center(body, 0), bodies.center(body, 1), bodies.center(body, 2)};
+                int look = Layout.LOOK_STRIDE * body;
+                boolean isSpot = looks[look + Layout.LOOK_LIGHT] == Layout.SPOT_LIGHT;
+                double[] axis = isSpot ? axis(looks, look) : TO_ALL;
                 emitters.add(new Emitter(
-                        body, -1, -1, area, new EmitterTree.Part(center, bodies.size(body), radiance * area, TO_ALL)));
+                        body, -1, -1, area, new EmitterTree.Part(center, bodies.size(body), radiance * area, axis)));
             }
         }
+    }
+
+    private static double[] axis(float[] looks, int look) {
+        double[] axis = new double[3];
+        Arrays.setAll(axis, i -> looks[look + Layout.LOOK_SPOT_AXIS + i]);
+        return axis;
+    }
+
+    /** The suns, whose power is the irradiance. */
+    private static List<Emitter> suns(Bodies bodies, float[] looks, EmissionMeans means) {
+        List<Emitter> suns = new ArrayList<>();
+        for (int body = bodies.room(); body < bodies.sphereEnd(); body++) {
+            double[] toward = {bodies.center(body, 0), bodies.center(body, 1), bodies.center(body, 2)};
+            double sine =
+                    Math.max(bodies.size(body) / Math.sqrt(EmitterTree.dot(toward, toward)), SunEmitter.LEAST_SINE);
+            double power = means.of(body) * sine * sine;
+            if (looks[Layout.LOOK_STRIDE * body + Layout.LOOK_LIGHT] == Layout.SUN_LIGHT && power > 0) {
+                suns.add(new Emitter(body, -1, -1, 0, new EmitterTree.Part(TO_ALL, 0, power, TO_ALL)));
+            }
+        }
+        return suns;
     }
 
     private static void addTriangles(Bodies bodies, float[] looks, EmissionMeans means, List<Emitter> emitters) {
@@ -203,6 +221,26 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
             first[2] * second[0] - first[0] * second[2],
             first[0] * second[1] - first[1] * second[0]
         };
+    }
+
+    /**
+     * Writes emitters, one of which is chosen with some probability in all.
+     *
+     * @param before sum of the probabilities of the emitters before
+     * @return the sum with these
+     */
+    private static double write(float[] looks, int start, List<Emitter> emitters, double before, double part) {
+        double power =
+                emitters.stream().mapToDouble(emitter -> emitter.part().power()).sum();
+        double sum = before;
+        int at = start;
+        for (Emitter emitter : emitters) {
+            double probability = part * emitter.part().power() / power;
+            sum += probability;
+            write(looks, at, emitter, sum, probability);
+            at += Layout.EMITTER_STRIDE;
+        }
+        return sum;
     }
 
     private static void write(float[] looks, int at, Emitter emitter, double sum, double probability) {

@@ -6,6 +6,8 @@ import dev.twister.scene.Ground;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.light.Lights;
 import dev.twister.scene.material.Emission;
 import dev.twister.world.SceneImages;
@@ -19,9 +21,12 @@ public final class LookTable {
     /** Lower bound of a color whose logarithm is taken. */
     private static final double DARKEST = 1e-9;
 
+    /** Least difference of the cosines between which a spot fades out, as glTF has it. */
+    private static final double LEAST_BLEND = 0.001;
+
     private float[] looks = {};
     private int materials;
-    private BodyOrder numbers = new BodyOrder(0, 1);
+    private BodyOrder numbers = BodyOrder.EMPTY;
     private int lightTable;
     private MapTexels texels = MapTexels.NONE;
 
@@ -40,7 +45,7 @@ public final class LookTable {
             float[] meshFloats,
             SceneImages newImages) {
         MapTable table = new MapTable(newImages);
-        numbers = new BodyOrder(spheres.size(), lights.count());
+        numbers = BodyOrder.of(spheres.size(), lights);
         float[] materials = new float[Layout.LOOK_STRIDE * (numbers.firstMesh() + meshes.size())];
         put(materials, Layout.PLANE, ground.material(), table.row(ground.material()));
         int body = Layout.FIRST_SPHERE;
@@ -75,8 +80,24 @@ public final class LookTable {
             int look = Layout.LOOK_STRIDE * numbers.light(index);
             putColor(materials, look, lights.get(index).color());
             materials[look + Layout.LOOK_SHARE] = (float) lights.get(index).share();
-            materials[look + Layout.LOOK_LIGHT] = 1;
+            LightShape shape = lights.get(index).shape();
+            materials[look + Layout.LOOK_LIGHT] = switch (shape.kind()) {
+                case SPHERE -> Layout.SPHERE_LIGHT;
+                case SUN -> Layout.SUN_LIGHT;
+                case SPOT -> Layout.SPOT_LIGHT;
+            };
+            putSpot(materials, look, shape);
         }
+    }
+
+    private static void putSpot(float[] looks, int look, LightShape shape) {
+        Vector3 axis = shape.toward().times(-1);
+        looks[look + Layout.LOOK_SPOT_AXIS] = (float) axis.x();
+        looks[look + Layout.LOOK_SPOT_AXIS + 1] = (float) axis.y();
+        looks[look + Layout.LOOK_SPOT_AXIS + 2] = (float) axis.z();
+        double scale = 1 / Math.max(LEAST_BLEND, shape.innerCosine() - shape.outerCosine());
+        looks[look + Layout.LOOK_SPOT_SCALE] = (float) scale;
+        looks[look + Layout.LOOK_SPOT_OFFSET] = (float) (-shape.outerCosine() * scale);
     }
 
     private void replace(float[] changed) {

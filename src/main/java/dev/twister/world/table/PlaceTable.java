@@ -11,7 +11,9 @@ import dev.twister.world.SceneMeshes;
 import dev.twister.world.hierarchy.HierarchyIdentity;
 import dev.twister.world.hierarchy.SphereHierarchy;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * The array {@code bodies} of {@link Layout}. The hierarchy over the spheres is built again only if spheres have
@@ -21,12 +23,15 @@ public final class PlaceTable {
     /** Beyond all that is seen, in no direction of note. */
     private static final Vector3 NOWHERE = new Vector3(0.31e18, -1e18, 0.47e18);
 
+    private static final float FARTHEST = 1e9f;
+
     private final Vector3 origin;
     private float[] places = {};
     private float[] instances = {};
-    private BodyOrder numbers = new BodyOrder(0, 1);
+    private BodyOrder numbers = BodyOrder.EMPTY;
     private int present;
     private int[] lights = {};
+    private Map<Integer, Light> suns = Map.of();
     private float[] floats = {};
     private boolean floatsHold;
     private boolean hierarchyHolds;
@@ -57,7 +62,7 @@ public final class PlaceTable {
         float[] instancesBefore = instances;
         boolean held = floatsHold;
         BodyOrder numbersBefore = numbers;
-        numbers = new BodyOrder(spheres.size(), newLights.count());
+        numbers = BodyOrder.of(spheres.size(), newLights);
         boolean samePresent = present == newPresent && numbers.equals(numbersBefore);
         present = newPresent;
         instances = InstanceTable.of(meshes, meshData, numbers.firstMesh());
@@ -86,14 +91,25 @@ public final class PlaceTable {
     public void put(Lights newLights, Integrator integrator) {
         int[] drawn = new int[newLights.count()];
         int count = 0;
+        Map<Integer, Light> newSuns = new HashMap<>();
+        if (numbers.beginsWithSun()) {
+            place(Layout.LIGHT, NOWHERE, 0);
+        }
         for (int index = 0; index < newLights.count(); index++) {
             Light light = newLights.get(index);
+            int body = numbers.light(index);
             boolean dark = integrator == Integrator.PATH && light.strength().orElse(1.0) == 0;
-            place(numbers.light(index), dark ? NOWHERE : light.position().minus(origin), dark ? 0 : light.radius());
-            if (index > 0 && !dark) {
-                drawn[count++] = numbers.light(index);
+            if (light.isSun()) {
+                newSuns.put(body, light);
+            } else {
+                place(body, dark ? NOWHERE : light.position().minus(origin), dark ? 0 : light.radius());
+                if (body != Layout.LIGHT && !dark) {
+                    drawn[count++] = body;
+                }
             }
         }
+        floatsHold &= newSuns.equals(suns);
+        suns = newSuns;
         drawn = Arrays.copyOf(drawn, count);
         hierarchyHolds &= Arrays.equals(drawn, lights);
         lights = drawn;
@@ -101,6 +117,23 @@ public final class PlaceTable {
 
     public void put(Ground ground) {
         place(Layout.PLANE, new Vector3(0, ground.height(), 0).minus(origin), ground.size());
+    }
+
+    /** Puts the suns farther away than the bodies are from one another. */
+    private void placeSuns() {
+        float reach = 1;
+        for (int body = 0; body < end(); body++) {
+            int at = Layout.PLACE_STRIDE * body;
+            float side = Math.max(Math.max(Math.abs(places[at]), Math.abs(places[at + 1])), Math.abs(places[at + 2]));
+            // What is nowhere is beyond all that a scene may have.
+            reach = suns.containsKey(body) || side > FARTHEST
+                    ? reach
+                    : Math.max(reach, side + places[at + Layout.PLACE_SIZE]);
+        }
+        // A power of two, so that a sun seldom moves when bodies do.
+        double distance = 8 * Math.scalb(1.0, Math.getExponent(reach));
+        suns.forEach((body, sun) ->
+                place(body, sun.shape().toward().times(distance), sun.shape().discSine() * distance));
     }
 
     private void place(int body, Vector3 seen, double size) {
@@ -111,7 +144,7 @@ public final class PlaceTable {
     }
 
     /**
-     * Moves the bodies, except meshes and lights after the first.
+     * Moves the bodies, except meshes, suns and lights after the first.
      *
      * @param positions three floats for each of the first light, the plane and the spheres
      */
@@ -122,7 +155,7 @@ public final class PlaceTable {
         if (newPresent < Layout.FIRST_SPHERE || newPresent > numbers.room()) {
             throw new IllegalArgumentException(newPresent + " bodies of " + numbers.room());
         }
-        for (int body = 0; body < numbers.room(); body++) {
+        for (int body = numbers.beginsWithSun() ? Layout.PLANE : Layout.LIGHT; body < numbers.room(); body++) {
             System.arraycopy(positions, 3 * body, places, Layout.PLACE_STRIDE * body, 3);
         }
         present = newPresent;
@@ -133,6 +166,9 @@ public final class PlaceTable {
     /** The array; the same one as long as nothing has changed. */
     public float[] floats() {
         if (!floatsHold) {
+            if (!suns.isEmpty()) {
+                placeSuns();
+            }
             if (hierarchyHolds) {
                 floats = SphereHierarchy.kept(
                         floats, places, present, lights, numbers.room(), numbers.firstMesh(), instances);

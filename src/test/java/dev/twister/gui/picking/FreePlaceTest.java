@@ -15,6 +15,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Shape;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
@@ -157,9 +158,9 @@ class FreePlaceTest {
     @Test
     void lightsHangBesideEachOtherOverNewBodies() {
         Scene before = with(empty(0, 15), sphere(empty(0, 15)));
-        Light first = NewBodies.light(picture(before), before, SceneMeshes.NONE);
+        Light first = NewBodies.light(picture(before), before, SceneMeshes.NONE, LightShape.Kind.SPHERE);
         Scene one = before.withLights(before.lights().with(List.of(first)));
-        Light second = NewBodies.light(picture(one), one, SceneMeshes.NONE);
+        Light second = NewBodies.light(picture(one), one, SceneMeshes.NONE, LightShape.Kind.SPHERE);
         Vector3 sphere = before.spheres().getFirst().position();
         assertThat(first.position().x()).isEqualTo(sphere.x());
         assertThat(first.position().z()).isEqualTo(sphere.z());

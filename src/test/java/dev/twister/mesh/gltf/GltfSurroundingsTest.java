@@ -16,6 +16,7 @@ import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -125,15 +126,17 @@ class GltfSurroundingsTest {
     }
 
     @Test
-    void directionalLightIsFarAwayAlongTheNodesAxis() throws IOException {
+    void directionalLightIsASunAlongTheNodesAxis() throws IOException {
         Light light = lights(
                         "\"type\": \"directional\", \"intensity\": 2, \"color\": [1, 0, 0]",
                         "\"rotation\": [-0.7071067811865476, 0, 0, 0.7071067811865476]")
                 .getFirst();
 
-        assertThat(light.position().minus(new Vector3(0, 101, 0)).length()).isCloseTo(0, within(1e-9));
+        assertThat(light.isSun()).isTrue();
+        assertThat(light.shape().direction().minus(new Vector3(0, -1, 0)).length())
+                .isCloseTo(0, within(1e-9));
         assertThat(light.color()).isEqualTo(new Rgb(1, 0, 0));
-        assertThat(light.strength().orElseThrow() / 1e4).isCloseTo(2 / Math.PI, within(1e-12));
+        assertThat(light.strength().orElseThrow()).isCloseTo(2 / Math.PI, within(1e-12));
     }
 
     @Test
@@ -156,10 +159,29 @@ class GltfSurroundingsTest {
     }
 
     @Test
-    void saysThatSpotsShineInAllDirections() throws IOException {
-        lights("\"type\": \"spot\"", "\"name\": \"lamp\"");
+    void spotHasTheConeOfTheFile() throws IOException {
+        Light light = lights(
+                        "\"type\": \"spot\", \"intensity\": 25,"
+                                + " \"spot\": {\"innerConeAngle\": 0.2, \"outerConeAngle\": 0.5}",
+                        "\"translation\": [0, 5, 10]")
+                .getFirst();
 
-        assertThat(warnings).containsOnly(folder.resolve("a.gltf") + ": spot lights shine in all directions");
+        assertThat(light.shape().kind()).isEqualTo(LightShape.Kind.SPOT);
+        assertThat(light.shape().direction()).isEqualTo(new Vector3(0, 0, 1));
+        assertThat(light.shape().outerCosine()).isCloseTo(Math.cos(0.5), within(1e-12));
+        assertThat(light.shape().innerCosine()).isCloseTo(Math.cos(0.2), within(1e-12));
+        assertThat(light.position()).isEqualTo(new Vector3(0, 1, -2));
+        assertThat(light.strength().orElseThrow() / 4).isCloseTo(0.25 / Math.PI, within(1e-12));
+        assertThat(warnings).isEmpty();
+    }
+
+    @Test
+    void spotWithoutAnglesHasThoseOfTheFormat() throws IOException {
+        LightShape shape =
+                lights("\"type\": \"spot\"", "\"name\": \"lamp\"").getFirst().shape();
+
+        assertThat(shape.coneAngleDegrees()).isCloseTo(90, within(1e-9));
+        assertThat(shape.coneBlend()).isEqualTo(1);
     }
 
     @Test

@@ -8,6 +8,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.light.Lights;
 import java.nio.file.Path;
 import java.util.List;
@@ -79,6 +80,48 @@ class LightsTest {
     }
 
     @Test
+    void readsASunAndWritesItAsItWas() {
+        String sun = "\"light\": {\"type\": \"sun\", \"direction\": [0.5, -1, 0], \"angularDiameter\": 0.53,"
+                + " \"color\": [1, 0.9, 0.8], \"strength\": 3}";
+        Scene scene = readNew(sun);
+
+        assertThat(scene.lights().list())
+                .containsExactly(Light.sun(new Vector3(0.5, -1, 0), 0.53)
+                        .withColor(new Rgb(1, 0.9, 0.8))
+                        .withStrength(3.0));
+        assertThat(SceneWriter.text(scene)).contains("\"version\": 4", sun);
+    }
+
+    @Test
+    void readsASpotAndWritesItAsItWas() {
+        String spot = "\"light\": {\"type\": \"spot\", \"position\": [1, 2, 3], \"direction\": [0, -1, 0],"
+                + " \"coneAngle\": 60, \"coneBlend\": 0.5}";
+        Scene scene = readNew(spot);
+
+        assertThat(scene.lights().first().shape())
+                .isEqualTo(LightShape.SPOT.withConeAngleDegrees(60).withConeBlend(0.5));
+        assertThat(SceneWriter.text(scene)).contains(spot);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            {"type": "spot", "direction": [0, -1, 0], "coneAngle": 181} | $.light.coneAngle is 181, but must be a number from 0.1 to 180 degrees
+            {"type": "spot", "direction": [0, -1, 0], "angularDiameter": 1} | $.light.angularDiameter is given, but a light of type "spot" has none
+            {"type": "spot"}                            | $.light.type is "spot", which needs "direction": where it shines
+            {"type": "sun"}                             | $.light.type is "sun", which needs "direction": where it shines, three numbers from -1000000 to 1000000, one of them not 0
+            {"type": "sun", "direction": [0, 0, 0]}     | $.light.direction is [0, 0, 0], but must be three numbers from -1000000 to 1000000, one of them not 0
+            {"type": "sun", "direction": [0, -1, 0], "angularDiameter": 91} | $.light.angularDiameter is 91, but must be a number from 0 to 90 degrees
+            {"type": "sun", "direction": [0, -1, 0], "radius": 2} | $.light.radius is given, but a light of type "sun" has none
+            {"type": "moon", "direction": [0, -1, 0]}   | $.light.type is "moon", but must be one of "sphere", "sun", "spot"
+            {"direction": [0, -1, 0]}                   | $.light.direction goes with "type" only, which is not given here; allowed without it: position, radius, color, strength, share, lightGroup, name, group, hidden, locked
+            """)
+    void refusesLightsThatDoNotFitTheirType(String light, String message) {
+        assertThatThrownBy(() -> readNew("\"light\": " + light))
+                .isInstanceOf(SceneException.class)
+                .hasMessageContaining(message);
+    }
+
+    @Test
     void refusesALightWithoutSize() {
         refuses(
                 "\"lights\": [" + LAMP.formatted("").replace("0.5, \"color\"", "0, \"color\"") + "]",
@@ -93,6 +136,10 @@ class LightsTest {
                 .hasMessageContaining("$.lights needs \"version\": 3 at the top of the file");
     }
 
+    private Scene readNew(String lights) {
+        return read(lights, Scene.VERSION);
+    }
+
     private void refuses(String lights, String message) {
         assertThatThrownBy(() -> read(lights))
                 .isInstanceOf(SceneException.class)
@@ -100,7 +147,11 @@ class LightsTest {
     }
 
     private Scene read(String lights) {
-        String newest = SampleScene.with("\"version\": 1", "\"version\": 3")
+        return read(lights, 3);
+    }
+
+    private Scene read(String lights, int version) {
+        String newest = SampleScene.with("\"version\": 1", "\"version\": " + version)
                 .replace("\"name\": \"Sample\",\n", "")
                 .replace(ONE, lights);
         return SceneReader.read(SampleScene.put(folder, newest));

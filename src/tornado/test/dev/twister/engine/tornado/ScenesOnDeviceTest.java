@@ -10,6 +10,7 @@ import dev.twister.oracle.RandomMaterials;
 import dev.twister.oracle.RandomMeshes;
 import dev.twister.oracle.RandomScenes;
 import dev.twister.oracle.SurfacesInOnePlaceTest;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
@@ -168,6 +169,29 @@ class ScenesOnDeviceTest {
                 pixels += input.width() * input.rows();
             }
             assertThat(differences).as("of %d pixels in three pictures", pixels).isLessThanOrEqualTo(2 + pixels / 5000);
+        }
+    }
+
+    /** Suns and spots, with and without path tracing. */
+    @ParameterizedTest(name = "on {0}")
+    @MethodSource("offers")
+    void sunsAndSpotsLookTheSame(EngineOffer offer) {
+        try (Engine engine = offer.opener().get()) {
+            int differences = 0;
+            int pixels = 0;
+            for (int seed = 0; seed < 4; seed++) {
+                Random random = new Random(400 + seed);
+                LitScene lit = seed < 2 ? RandomMaterials.scene(random, 3) : RandomMeshes.scene(random, 3);
+                World world =
+                        (seed % 2 == 0 ? RandomLights.ofSuns(lit, random) : RandomLights.ofSpots(lit, random)).world();
+                for (Integrator integrator : Integrator.values()) {
+                    world.setSettings(world.settings().withIntegrator(integrator));
+                    FrameInput input = world.snapshot();
+                    differences += Pictures.differences(engine, input);
+                    pixels += input.width() * input.rows();
+                }
+            }
+            assertThat(differences).as("of %d pixels in eight pictures", pixels).isLessThanOrEqualTo(2 + pixels / 5000);
         }
     }
 

@@ -75,7 +75,17 @@ public final class Declined {
         kernelPaths = hits || !picture;
         frame = input.tracesPaths()
                 ? !picture && input.stageOrView() < Views.GUIDED
-                : !picture || hits || toneMap < Tone.CLAMP || toneMap > Tone.ACES;
+                : !picture || hits || hasOtherLights(input) || toneMap < Tone.CLAMP || toneMap > Tone.ACES;
+    }
+
+    /** Lanes shade by spheres that shine in all directions. */
+    private static boolean hasOtherLights(FrameInput input) {
+        boolean found = false;
+        for (int light = 0; light < input.lights() && !found; light++) {
+            int look = Layout.LOOK_STRIDE * input.light(light);
+            found = input.bodies().looks()[look + Layout.LOOK_LIGHT] != Layout.SPHERE_LIGHT;
+        }
+        return found;
     }
 
     private static boolean isCameraOnASurface(FrameInput input) {
