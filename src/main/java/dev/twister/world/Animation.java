@@ -78,7 +78,7 @@ public final class Animation {
         double steps = length(scene, meshes) * rate;
         return loops(scene, meshes)
                 ? Math.max(1, (int) Math.min(Integer.MAX_VALUE, Math.ceil(steps - LOOP_TOLERANCE * (1 + steps))))
-                : (int) Math.min(Integer.MAX_VALUE - 1.0, Math.round(steps)) + 1;
+                : (int) Math.min(Integer.MAX_VALUE - 1.0, Math.floor(steps + 0.5)) + 1;
     }
 
     /** Whether something loops, and at the end everything is as at the start. */

@@ -29,10 +29,6 @@ class GltfAnimationTest {
     private final List<String> warnings = new ArrayList<>();
     private final AnimatedGltf gltf = new AnimatedGltf();
 
-    private MeshFile read(String rest) {
-        return gltf.read(folder, warnings, rest);
-    }
-
     private static void assertCorner(MeshFile file, double seconds, double x, double y, double z) {
         Vector3 corner = corner(file, seconds);
         assertThat(corner.x()).isCloseTo(x, EXACT);
