@@ -4,6 +4,7 @@ import dev.twister.mesh.MeshException;
 import dev.twister.mesh.MeshFile;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shape;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.SceneMeshes.Source;
 import java.util.ArrayList;
@@ -19,7 +20,7 @@ import java.util.stream.Collectors;
 
 /**
  * The meshes of the scene that is drawn. Files are read on a thread of their own: a request gets what is at hand, and
- * draws the rest once {@link #edition} has changed. Used by any thread; none waits.
+ * draws the rest once {@link #edition} has changed. Used by any thread; none waits for a file.
  */
 public final class MeshCache {
     private final Function<Source, MeshFile> reader;
@@ -56,7 +57,7 @@ public final class MeshCache {
     }
 
     /**
-     * The loaded meshes; starts reading the scene's other ones.
+     * The loaded meshes, and the scene's shapes; starts reading its other ones.
      *
      * @param newDocument grows with each opened scene, whose files are read again; meshes of an older one are not
      *     available
@@ -68,9 +69,12 @@ public final class MeshCache {
         if (newDocument > document) {
             startAnew(newDocument);
         }
-        List<Mesh> missing = missing(scene);
-        if (!missing.isEmpty() && task.isEmpty()) {
-            begin(missing);
+        if (task.isEmpty()) {
+            takeShapes(missing(scene));
+            List<Mesh> missing = missing(scene);
+            if (!missing.isEmpty()) {
+                begin(missing);
+            }
         }
         return held;
     }
@@ -123,6 +127,21 @@ public final class MeshCache {
             }
         }
         return List.copyOf(missing.values());
+    }
+
+    /** Shapes are at hand at once, so that no picture is drawn of a scene without its walls. */
+    private void takeShapes(List<Mesh> missing) {
+        List<Mesh> shapes = missing.stream()
+                .filter(mesh -> mesh.geometry() instanceof Shape)
+                .toList();
+        if (!shapes.isEmpty()) {
+            tell(complaints, shapes, () -> {
+                List<Mesh> all = new ArrayList<>(meshBySource.values());
+                all.addAll(shapes);
+                held = held.changedTo(all, reader);
+                shapes.forEach(mesh -> meshBySource.put(Source.of(mesh), mesh));
+            });
+        }
     }
 
     private void begin(List<Mesh> missing) {

@@ -9,6 +9,7 @@ import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shape;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.SceneMeshes.Source;
 import java.nio.file.Path;
@@ -75,6 +76,14 @@ class MeshCacheTest {
         assertThat(cache.progress()).isEmpty();
         // Undo brings a deleted one back at once.
         assertThat(cache.of(of(CUBE), 0)).isSameAs(more);
+    }
+
+    @Test
+    void shapesAreThereAtOnce() {
+        Mesh box = Mesh.of(Shape.of(Shape.Kind.BOX, 1));
+
+        assertThat(cache.of(of(box), 0).holds(box)).isTrue();
+        assertThat(cache.progress()).isEmpty();
     }
 
     @Test
