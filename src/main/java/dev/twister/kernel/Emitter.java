@@ -80,29 +80,9 @@ public final class Emitter {
         if (frame[Layout.LIGHT_TREE] > 0f) {
             emitter = LightTree.choose(path, number, frame, looks);
         } else {
-            emitter = byPower(path, 0, number, frame, looks);
+            emitter = LightTree.byPower(path, 0, number, frame, looks);
         }
         return start + Layout.EMITTER_STRIDE * emitter;
-    }
-
-    /**
-     * The number of the emitter whose part of all probabilities holds a number. Writes its probability to
-     * {@link Layout#CHOICE}.
-     *
-     * @param first the emitters before it are left out
-     */
-    static int byPower(float[] path, int first, float number, float[] frame, float[] looks) {
-        int start = (int) frame[Layout.EMITTER_TABLE];
-        int low = first;
-        int high = (int) frame[Layout.EMITTERS] - 1;
-        while (low < high) {
-            int middle = (low + high) / 2;
-            int above = looks[start + Layout.EMITTER_STRIDE * middle + Layout.EMITTER_END] <= number ? 1 : 0;
-            low = above != 0 ? middle + 1 : low;
-            high = above != 0 ? high : middle;
-        }
-        path[Layout.CHOICE] = looks[start + Layout.EMITTER_STRIDE * low + Layout.EMITTER_PROBABILITY];
-        return low;
     }
 
     private static int isTriangle(int emitter, float[] looks, int variant) {

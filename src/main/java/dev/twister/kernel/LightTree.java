@@ -56,9 +56,29 @@ public final class LightTree {
         if (number < lights) {
             path[Layout.CHOICE] = chance;
         } else {
-            emitter = Emitter.byPower(path, leaves(frame), number, frame, looks);
+            emitter = byPower(path, leaves(frame), number, frame, looks);
         }
         return emitter;
+    }
+
+    /**
+     * The number of the emitter whose part of all probabilities holds a number. Writes its probability to
+     * {@link Layout#CHOICE}.
+     *
+     * @param first the emitters before it are left out
+     */
+    static int byPower(float[] path, int first, float number, float[] frame, float[] looks) {
+        int start = (int) frame[Layout.EMITTER_TABLE];
+        int low = first;
+        int high = (int) frame[Layout.EMITTERS] - 1;
+        while (low < high) {
+            int middle = (low + high) / 2;
+            int above = looks[start + Layout.EMITTER_STRIDE * middle + Layout.EMITTER_END] <= number ? 1 : 0;
+            low = above != 0 ? middle + 1 : low;
+            high = above != 0 ? high : middle;
+        }
+        path[Layout.CHOICE] = looks[start + Layout.EMITTER_STRIDE * low + Layout.EMITTER_PROBABILITY];
+        return low;
     }
 
     /**

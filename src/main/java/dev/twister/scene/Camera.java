@@ -25,7 +25,7 @@ public record Camera(
         Vector3 position,
         double yawDegrees,
         double pitchDegrees,
-        CameraProjection projection,
+        Projection projection,
         double fieldOfViewDegrees,
         double viewHeight,
         double aperture,
@@ -34,10 +34,30 @@ public record Camera(
         implements CameraCopy.With {
     /** A pinhole at the origin, level, along z, with a field of view of 60 degrees. */
     public static final Camera DEFAULT =
-            new Camera(Vector3.ZERO, 0, 0, CameraProjection.PERSPECTIVE, 60, 10, 0, 10, List.of());
+            new Camera(Vector3.ZERO, 0, 0, Projection.PERSPECTIVE, 60, 10, 0, 10, List.of());
 
     /** Of a scene file that says nothing of its camera: looks down at the origin from 8 m before it. */
     public static final Camera USUAL = of(new Vector3(0, 2, -8), 0, 10, 45);
+
+    /** How the directions from a camera are laid out in its picture. */
+    public enum Projection {
+        /** As the eye and most lenses see: straight lines stay straight, what is far is small. */
+        PERSPECTIVE,
+        /** Without vanishing points: the same size at every distance. */
+        ORTHOGRAPHIC,
+        /**
+         * The whole sphere of directions, as panoramas of skies have it; not distorted in pictures twice as wide as
+         * high.
+         */
+        PANORAMA,
+        /** Equidistant: the angle from straight ahead grows evenly from the picture's middle on. */
+        FISHEYE;
+
+        /** The largest field of view in degrees. */
+        public double maxFieldOfView() {
+            return this == FISHEYE ? 360 : 179;
+        }
+    }
 
     public Camera {
         requireNonNull(position, "position");

@@ -3,7 +3,6 @@ package dev.twister.world;
 import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
-import dev.twister.scene.CameraProjection;
 
 /** Converts a camera's angles to the first floats of {@link View#frame}, so that no pixel needs trigonometry. */
 public final class CameraBasis {
@@ -42,7 +41,7 @@ public final class CameraBasis {
         return array;
     }
 
-    private static int projection(CameraProjection projection) {
+    private static int projection(Camera.Projection projection) {
         return switch (projection) {
             case PERSPECTIVE -> CameraRay.PERSPECTIVE;
             case ORTHOGRAPHIC -> CameraRay.ORTHOGRAPHIC;

@@ -104,7 +104,7 @@ class RenderMeshTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-            benchmark | a.png | --up z | --up, --rotate and --scene are for mesh files
+            benchmark | a.png | --up z | --up, --rotate, --scene and --animation are for mesh files
             benchmark | a.exr | --background none | --background none needs a .png file
             benchmark | a.png | --background none --view normal | --background none needs a .png file
             benchmark | a.png | --background none --noise 0.1 | --background none excludes --noise

@@ -144,7 +144,7 @@ class RenderWindowTest {
         try (WindowDriver driver = open(WindowScenes.tiny().withSpheres(List.of()), JvmEngines.parallel())) {
             type(driver, "render-samples-per-pixel", "0");
             assertThat(text("render-state"))
-                    .isEqualTo("Samples per pixel is '0', but must be a whole number from 1 to 1024");
+                    .isEqualTo("Samples per pixel is '0', but must be a whole number from 1 to 65536");
             assertThat(isDisabled("render-start")).isTrue();
             type(driver, "render-samples-per-pixel", "2");
             assertThat(text("render-state")).isEmpty();

@@ -1,7 +1,6 @@
 package dev.twister.oracle;
 
 import dev.twister.scene.Camera;
-import dev.twister.scene.CameraProjection;
 
 /** Creates view rays through positions in the picture. */
 final class OracleCamera {
@@ -12,7 +11,7 @@ final class OracleCamera {
     private final Vector up;
     private final Vector forward;
     private final double eyeDistance;
-    private final CameraProjection projection;
+    private final Camera.Projection projection;
     private final double viewHeight;
     private final double halfField;
     private final double aperture;
@@ -36,7 +35,7 @@ final class OracleCamera {
         projection = camera.projection();
         viewHeight = camera.viewHeight();
         halfField = Math.toRadians(camera.fieldOfViewDegrees()) / 2;
-        boolean flat = projection == CameraProjection.PERSPECTIVE || projection == CameraProjection.ORTHOGRAPHIC;
+        boolean flat = projection == Camera.Projection.PERSPECTIVE || projection == Camera.Projection.ORTHOGRAPHIC;
         aperture = flat ? camera.aperture() : 0;
         focusDistance = camera.focusDistance();
     }
@@ -49,7 +48,7 @@ final class OracleCamera {
         double u = width > height ? (x - width / 2.0 + height / 2.0) / height * 2 - 1 : x / width * 2 - 1;
         double v = width > height ? -(y / height * 2 - 1) : -((y - height / 2.0 + width / 2.0) / width * 2 - 1);
         Vector direction = direction(x, y, u, v).normalized();
-        Vector position = projection == CameraProjection.ORTHOGRAPHIC ? parallel(x, y) : this.position;
+        Vector position = projection == Camera.Projection.ORTHOGRAPHIC ? parallel(x, y) : this.position;
         if (aperture == 0) {
             return new ViewRay(new Ray(position, direction), numbers);
         }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.JvmEngines;
 import dev.twister.scene.Camera;
-import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.world.FrameInput;
@@ -74,8 +73,8 @@ class StagesAndViewsTest {
     }
 
     @ParameterizedTest
-    @EnumSource(CameraProjection.class)
-    void projectionIsTheOracles(CameraProjection projection) {
+    @EnumSource(Camera.Projection.class)
+    void projectionIsTheOracles(Camera.Projection projection) {
         LitScene shipped = ShippedScenes.small("bokeh");
         Camera camera = shipped.scene().camera().withProjection(projection);
         Scene seen = shipped.scene().withCamera(camera.withViewHeight(6));

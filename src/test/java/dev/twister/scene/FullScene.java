@@ -32,7 +32,7 @@ public final class FullScene {
 
     private static Scene scene() {
         Material glass = material(0.6, 20);
-        Camera camera = new Camera(new Vector3(0, 2, -6), 3, 10, CameraProjection.FISHEYE, 50, 4, 0.1, 7, List.of());
+        Camera camera = new Camera(new Vector3(0, 2, -6), 3, 10, Camera.Projection.FISHEYE, 50, 4, 0.1, 7, List.of());
         SequencedMap<String, Material> materials = new LinkedHashMap<>();
         materials.put("glass", glass);
         return new Scene(

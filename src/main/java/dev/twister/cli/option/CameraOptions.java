@@ -3,7 +3,6 @@ package dev.twister.cli.option;
 import dev.twister.cli.file.BadInputException;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Camera;
-import dev.twister.scene.CameraProjection;
 import dev.twister.scene.CameraView;
 import dev.twister.scene.Scene;
 import dev.twister.scene.TrackTarget;
@@ -48,7 +47,7 @@ public final class CameraOptions {
             paramLabel = "PROJECTION",
             description =
                     "perspective, orthographic, panorama (all directions; best twice as wide as high) or fisheye.")
-    private Optional<CameraProjection> projection = Optional.empty();
+    private Optional<Camera.Projection> projection = Optional.empty();
 
     @Option(
             names = "--view-height",
@@ -91,7 +90,7 @@ public final class CameraOptions {
 
     /** The size of a picture for which none is given: of a panorama that is asked for, twice as wide as high. */
     public PictureSize sizeOr(PictureSize usual) {
-        return projection.filter(CameraProjection.PANORAMA::equals).isPresent()
+        return projection.filter(Camera.Projection.PANORAMA::equals).isPresent()
                 ? new PictureSize(usual.width(), Math.max(1, usual.width() / 2))
                 : usual;
     }

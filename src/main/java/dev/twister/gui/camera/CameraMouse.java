@@ -2,7 +2,6 @@ package dev.twister.gui.camera;
 
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Camera;
-import dev.twister.scene.CameraProjection;
 import dev.twister.scene.property.CameraProperties;
 import dev.twister.world.animation.CameraMotion;
 import java.util.Locale;
@@ -74,7 +73,7 @@ public final class CameraMouse {
             double height = picture.getLayoutBounds().getHeight();
             double side = Math.min(picture.getLayoutBounds().getWidth(), height);
             Camera seen = studio.scene().camera();
-            double degrees = seen.projection() == CameraProjection.PANORAMA
+            double degrees = seen.projection() == Camera.Projection.PANORAMA
                     ? DEGREES_OF_A_PANORAMA / Math.max(1, height)
                     : seen.fieldOfViewDegrees() / Math.max(1, side);
             Point2D moved = hidden.movedTo(place(event)).multiply(degrees);
@@ -92,7 +91,7 @@ public final class CameraMouse {
         if (event.getDeltaY() != 0) {
             double notches = event.getDeltaY() / event.getMultiplierY();
             studio.edit(
-                    (studio.scene().camera().projection() == CameraProjection.ORTHOGRAPHIC
+                    (studio.scene().camera().projection() == Camera.Projection.ORTHOGRAPHIC
                                     ? CameraProperties.VIEW_HEIGHT
                                     : CameraProperties.FIELD_OF_VIEW)
                             .row()

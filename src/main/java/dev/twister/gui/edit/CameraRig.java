@@ -2,7 +2,6 @@ package dev.twister.gui.edit;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
-import dev.twister.scene.CameraProjection;
 import java.util.List;
 
 /**
@@ -13,7 +12,7 @@ import java.util.List;
  * @param keyframes of a film, each later than the one before
  */
 public record CameraRig(
-        CameraProjection projection, double aperture, double focusDistance, List<CameraKeyframe> keyframes) {
+        Camera.Projection projection, double aperture, double focusDistance, List<CameraKeyframe> keyframes) {
     public static CameraRig of(Camera camera) {
         return new CameraRig(camera.projection(), camera.aperture(), camera.focusDistance(), camera.keyframes());
     }

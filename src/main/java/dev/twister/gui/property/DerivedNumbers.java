@@ -3,7 +3,6 @@ package dev.twister.gui.property;
 import dev.twister.gui.edit.Axis;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
-import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
@@ -32,7 +31,7 @@ public final class DerivedNumbers {
     /** Of the angle, so that the same length leads to the same angle. */
     private static final int DECIMALS = 12;
 
-    private static final Range PERSPECTIVE = CameraProperties.fieldOfView(CameraProjection.PERSPECTIVE);
+    private static final Range PERSPECTIVE = CameraProperties.fieldOfView(Camera.Projection.PERSPECTIVE);
 
     static final NumberProperty<Camera> FOCAL_LENGTH = new NumberProperty<>(
             "Focal length",

@@ -1,7 +1,6 @@
 package dev.twister.gui.studio;
 
 import dev.twister.scene.Camera;
-import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.property.CameraProperties;
 import dev.twister.scene.property.SceneLimits;
@@ -71,7 +70,7 @@ public final class Orbit {
                 Math.sin(Math.toRadians(Math.min(camera.fieldOfViewDegrees(), HALF_SPACE)) / 2);
             case ORTHOGRAPHIC, PANORAMA -> 1 / USUAL_RADII;
         };
-        Camera seen = camera.projection() == CameraProjection.ORTHOGRAPHIC
+        Camera seen = camera.projection() == Camera.Projection.ORTHOGRAPHIC
                 ? camera.withViewHeight(CameraProperties.VIEW_HEIGHT.range().clamp(2 * ROOM * radius))
                 : camera;
         return at(seen, Axes.of(camera).from(center, 0, 0, -ROOM * radius / share));

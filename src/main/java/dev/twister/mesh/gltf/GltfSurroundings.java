@@ -8,7 +8,6 @@ import dev.twister.mesh.input.MeshLimits;
 import dev.twister.mesh.input.QuotedText;
 import dev.twister.mesh.input.Warnings;
 import dev.twister.scene.Camera;
-import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.light.LightShape;
@@ -127,14 +126,14 @@ final class GltfSurroundings {
         if (!perspective.exists()) {
             double half = Math.abs(camera.at("orthographic").at("ymag").number());
             return Camera.DEFAULT
-                    .withProjection(CameraProjection.ORTHOGRAPHIC)
+                    .withProjection(Camera.Projection.ORTHOGRAPHIC)
                     .withViewHeight(CameraProperties.VIEW_HEIGHT.range().clamp(2 * half));
         }
         double height = Math.tan(Math.clamp(perspective.at("yfov").number(), 0, Math.PI) / 2);
         double width = height * Math.max(0, perspective.at("aspectRatio").numberOr(1));
         double angle = Math.toDegrees(2 * Math.atan(Math.min(height, width)));
         return Camera.DEFAULT.withFieldOfViewDegrees(
-                CameraProperties.fieldOfView(CameraProjection.PERSPECTIVE).clamp(angle));
+                CameraProperties.fieldOfView(Camera.Projection.PERSPECTIVE).clamp(angle));
     }
 
     /** A name that no other camera has. */

@@ -7,7 +7,6 @@ import static dev.twister.scene.property.Slide.linear;
 import static dev.twister.scene.property.Slide.logarithmic;
 
 import dev.twister.scene.Camera;
-import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Vector3;
 import java.util.List;
 
@@ -34,8 +33,8 @@ public final class CameraProperties {
             .row("Pitch", "Turn of the camera down; 0 is level.", "Alt+Shift+U")
             .slide(linear(-90, 90, 1, "°"));
 
-    public static final Property<Camera, CameraProjection> PROJECTION = choice(
-                    "projection", CameraProjection.class, Camera::projection, CameraProperties::projected)
+    public static final Property<Camera, Camera.Projection> PROJECTION = choice(
+                    "projection", Camera.Projection.class, Camera::projection, CameraProperties::projected)
             .since(4)
             .means("how directions are laid out: `panorama` is the whole sphere, `fisheye` the equidistant one")
             .row(
@@ -45,7 +44,7 @@ public final class CameraProperties {
 
     public static final Property<Camera, Double> FIELD_OF_VIEW = decimal(
                     "fieldOfView",
-                    new Range(1, CameraProjection.FISHEYE.maxFieldOfView(), "degrees"),
+                    new Range(1, Camera.Projection.FISHEYE.maxFieldOfView(), "degrees"),
                     Camera::fieldOfViewDegrees,
                     (camera, degrees) -> camera.withFieldOfViewDegrees(
                             fieldOfView(camera.projection()).clamp(degrees)))
@@ -95,13 +94,13 @@ public final class CameraProperties {
     private CameraProperties() {}
 
     /** The camera with a projection, and the nearest field of view that this can have. */
-    private static Camera projected(Camera camera, CameraProjection projection) {
+    private static Camera projected(Camera camera, Camera.Projection projection) {
         return camera.withProjection(projection)
                 .withFieldOfViewDegrees(fieldOfView(projection).clamp(camera.fieldOfViewDegrees()));
     }
 
     /** What a camera of that projection may have. */
-    public static Range fieldOfView(CameraProjection projection) {
+    public static Range fieldOfView(Camera.Projection projection) {
         Range widest = FIELD_OF_VIEW.range();
         return new Range(widest.min(), projection.maxFieldOfView(), widest.unit());
     }

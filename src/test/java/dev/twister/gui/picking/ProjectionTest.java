@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.edit.Scenes;
 import dev.twister.scene.Camera;
-import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 import org.junit.jupiter.api.Test;
@@ -24,8 +23,8 @@ class ProjectionTest {
     }
 
     @ParameterizedTest
-    @EnumSource(CameraProjection.class)
-    void ofEveryCameraIsTheInverseOfItsRays(CameraProjection kind) {
+    @EnumSource(Camera.Projection.class)
+    void ofEveryCameraIsTheInverseOfItsRays(Camera.Projection kind) {
         Camera camera = Scenes.scene().camera().withProjection(kind).withPitchDegrees(20);
         FrameInput seen = Scenes.input(Scenes.scene().withCamera(camera.withViewHeight(4)));
         Projection inverse = Projection.of(seen);
@@ -37,7 +36,7 @@ class ProjectionTest {
 
             assertThat(inverse.point(place)).containsExactly(pixel, within(1e-3));
             if (pixel[0] == Scenes.WIDTH / 2.0) {
-                double stretched = kind == CameraProjection.PANORAMA ? Scenes.WIDTH / 2.0 / Scenes.HEIGHT : 1;
+                double stretched = kind == Camera.Projection.PANORAMA ? Scenes.WIDTH / 2.0 / Scenes.HEIGHT : 1;
                 assertThat((beside[0] - pixel[0]) / 1e-3).isCloseTo(stretched * perMeter, within(0.01 * perMeter));
             }
         }

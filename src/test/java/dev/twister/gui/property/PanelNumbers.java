@@ -2,6 +2,7 @@ package dev.twister.gui.property;
 
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.property.CameraProperties;
 import dev.twister.scene.property.LightProperties;
 import dev.twister.scene.property.MaterialProperties;
@@ -14,6 +15,7 @@ public final class PanelNumbers {
 
     public static List<NumberProperty<Scene>> ofLight(int index) {
         return LightProperties.ALL.stream()
+                .filter(property -> LightProperties.has(LightShape.Kind.SPHERE, property.name()))
                 .flatMap(property -> PropertyNumbers.ofLight(property, () -> index))
                 .toList();
     }

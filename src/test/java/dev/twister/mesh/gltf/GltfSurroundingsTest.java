@@ -10,7 +10,6 @@ import dev.twister.mesh.MeshPose;
 import dev.twister.mesh.MeshReader;
 import dev.twister.mesh.MeshStage;
 import dev.twister.scene.Camera;
-import dev.twister.scene.CameraProjection;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;
@@ -231,7 +230,7 @@ class GltfSurroundingsTest {
                 "cameras": [{"orthographic": {"xmag": 4, "ymag": 1.5}}],
                 """);
 
-        assertThat(scene.views().getFirst().camera().projection()).isEqualTo(CameraProjection.ORTHOGRAPHIC);
+        assertThat(scene.views().getFirst().camera().projection()).isEqualTo(Camera.Projection.ORTHOGRAPHIC);
         assertThat(scene.views().getFirst().camera().viewHeight()).isEqualTo(3);
     }
 }

@@ -252,7 +252,8 @@ final class SpoiltScenes {
                     "6:59: $.camera.pitch is 90.5, but must be a number from -90 to 90 degrees"),
             new Spoilt(
                     "field of view",
-                    true,
+                    // A fisheye may have it.
+                    false,
                     "\"fieldOfView\": 50",
                     "\"fieldOfView\": 180",
                     "6:77: $.camera.fieldOfView is 180, but must be a number from 1 to 179 degrees"),

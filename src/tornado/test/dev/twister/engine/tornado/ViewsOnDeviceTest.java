@@ -2,7 +2,7 @@ package dev.twister.engine.tornado;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
-import dev.twister.scene.CameraProjection;
+import dev.twister.scene.Camera;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
@@ -68,12 +68,12 @@ class ViewsOnDeviceTest {
     static Stream<Object[]> projectionsOnDevices() {
         return Devices.namedOffers().stream()
                 .flatMap(offer ->
-                        Stream.of(CameraProjection.values()).map(projection -> new Object[] {projection, offer}));
+                        Stream.of(Camera.Projection.values()).map(projection -> new Object[] {projection, offer}));
     }
 
     @ParameterizedTest(name = "{0} on {1}")
     @MethodSource("projectionsOnDevices")
-    void projectionIsSequentials(CameraProjection projection, EngineOffer offer) {
+    void projectionIsSequentials(Camera.Projection projection, EngineOffer offer) {
         World world = SceneSamples.world(11, FEW);
         world.setCamera(world.scene().camera().withProjection(projection).withAperture(0.1));
         world.setSettings(Rendering.DEFAULT
