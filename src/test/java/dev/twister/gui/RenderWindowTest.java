@@ -183,7 +183,7 @@ class RenderWindowTest {
 
             press(driver, "render-cancel");
             mayDraw.countDown();
-            driver.await(() -> driver.notice().equals("Render canceled"));
+            driver.awaitNotice("Render canceled");
             assertThat(folder).isEmptyDirectory();
             assertThat(isDisabled("render-start")).isFalse();
         } finally {

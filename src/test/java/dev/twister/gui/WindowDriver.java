@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -71,6 +72,7 @@ public final class WindowDriver implements AutoCloseable {
     public final Answers files = new Answers();
     private final Robot robot;
     private volatile String notice = "";
+    private final List<String> told = new CopyOnWriteArrayList<>();
 
     /** Started once for all tests of this JVM; it ends with it. */
     private static final class Toolkit {
@@ -109,6 +111,7 @@ public final class WindowDriver implements AutoCloseable {
         ((Labeled) stage.getScene().getRoot().lookup("#notice")).textProperty().subscribe(text -> {
             if (!text.isEmpty()) {
                 notice = text;
+                told.add(text);
             }
         });
         window.show();
@@ -216,7 +219,7 @@ public final class WindowDriver implements AutoCloseable {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(LIMIT_SECONDS);
         while (!call(condition::getAsBoolean)) {
             if (System.nanoTime() > end) {
-                throw new AssertionError("did not come to be; "
+                throw new AssertionError("did not come to be; told were " + told + "; "
                         + call(() -> studio.drawingProperty().get().toString()));
             }
             pulse();
@@ -296,6 +299,11 @@ public final class WindowDriver implements AutoCloseable {
     /** The last notice in the status line, which shows each for some seconds; here it stays. */
     public String notice() {
         return notice;
+    }
+
+    /** Waits until the status line has told that, whatever it has told since. */
+    void awaitNotice(String text) {
+        await(() -> told.contains(text));
     }
 
     /** Takes the last notice away. */
