@@ -3,6 +3,7 @@ package dev.twister.world.table;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
 import dev.twister.scene.Ground;
+import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sphere;
@@ -68,26 +69,42 @@ public final class LookTable {
         replace(all);
     }
 
-    /** Changes as many lights as there are. */
+    /** Changes as many lights as there are; a light that only moves leaves the array as it is. */
     public void put(Lights lights) {
-        float[] changed = looks.clone();
-        put(changed, lights);
-        replace(changed);
+        if (!has(lights)) {
+            float[] changed = looks.clone();
+            put(changed, lights);
+            looks = changed;
+        }
+    }
+
+    private boolean has(Lights lights) {
+        boolean same = true;
+        for (int index = 0; index < lights.count() && same; index++) {
+            int look = Layout.LOOK_STRIDE * numbers.light(index);
+            float[] row = Arrays.copyOfRange(looks, look, look + Layout.LOOK_STRIDE);
+            put(row, 0, lights.get(index));
+            same = Arrays.equals(row, 0, row.length, looks, look, look + Layout.LOOK_STRIDE);
+        }
+        return same;
     }
 
     private void put(float[] materials, Lights lights) {
         for (int index = 0; index < lights.count(); index++) {
-            int look = Layout.LOOK_STRIDE * numbers.light(index);
-            putColor(materials, look, lights.get(index).color());
-            materials[look + Layout.LOOK_SHARE] = (float) lights.get(index).share();
-            LightShape shape = lights.get(index).shape();
-            materials[look + Layout.LOOK_LIGHT] = switch (shape.kind()) {
-                case SPHERE -> Layout.SPHERE_LIGHT;
-                case SUN -> Layout.SUN_LIGHT;
-                case SPOT -> Layout.SPOT_LIGHT;
-            };
-            putSpot(materials, look, shape);
+            put(materials, Layout.LOOK_STRIDE * numbers.light(index), lights.get(index));
         }
+    }
+
+    private static void put(float[] materials, int look, Light light) {
+        putColor(materials, look, light.color());
+        materials[look + Layout.LOOK_SHARE] = (float) light.share();
+        LightShape shape = light.shape();
+        materials[look + Layout.LOOK_LIGHT] = switch (shape.kind()) {
+            case SPHERE -> Layout.SPHERE_LIGHT;
+            case SUN -> Layout.SUN_LIGHT;
+            case SPOT -> Layout.SPOT_LIGHT;
+        };
+        putSpot(materials, look, shape);
     }
 
     private static void putSpot(float[] looks, int look, LightShape shape) {
