@@ -127,9 +127,9 @@ final class TraceRecorder {
         for (int sun = 0; sun < (int) frame[Layout.SUNS]; sun++) {
             int emitter = SunEmitter.first(frame) + Layout.EMITTER_STRIDE * sun;
             int body = (int) looks[emitter + Layout.EMITTER_BODY];
-            if (SunEmitter.isMet(ray, body, bodies) != 0) {
+            if (SunEmitter.isMet(ray, body, looks) != 0) {
                 int emission = Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION;
-                return light(looks, emission, ray, SunEmitter.density(emitter, bodies, looks));
+                return light(looks, emission, ray, SunEmitter.density(emitter, looks));
             }
         }
         SkyLookup.write(ray, Layout.DIRECTION, Layout.EMITTED, frame, input.images());

@@ -44,7 +44,7 @@ public final class Emitter {
                 int isTriangle = isTriangle(emitter, looks, variant);
                 int isSun = Illumination.isSun(body, looks);
                 if (isSun != 0) {
-                    SunEmitter.choose(path, body, first, second, bodies);
+                    SunEmitter.choose(path, body, first, second, looks);
                 }
                 if ((isTriangle | isSun) == 0) {
                     SphereEmitter.choose(path, body, first, second, bodies);

@@ -235,13 +235,17 @@ public final class Layout {
     /** What is missing of the dielectric reflectance in path tracing, in [0, 1]. */
     public static final int LOOK_SPECULAR_LOSS = 21;
 
-    /** A spot's axis: the unit vector in which it shines. */
+    /** A spot's axis, or a sun's: the unit vector in which it shines. */
     public static final int LOOK_SPOT_AXIS = 22;
 
     /** Factor and summand that make the cosine of the angle with the axis the root of the part that a spot shines. */
     public static final int LOOK_SPOT_SCALE = 25;
 
     public static final int LOOK_SPOT_OFFSET = 26;
+
+    /** The sine of the angle that the radius of a sun's disc fills. */
+    public static final int LOOK_SUN_SINE = 27;
+
     public static final int LOOK_STRIDE = 28;
 
     /**

@@ -150,7 +150,9 @@ public final class PathTracer {
             int variant) {
         int toEmitter = 0;
         if (body == Layout.NOTHING) {
-            addSuns(path, bounce, scratch, frame, bodies, looks, variant);
+            if (frame[Layout.SUNS] > 0f) {
+                addSuns(path, bounce, scratch, frame, looks, variant);
+            }
             addSky(path, bounce, scratch, frame, looks, images, variant);
         }
         if (body > Layout.NOTHING) {
@@ -217,17 +219,16 @@ public final class PathTracer {
     }
 
     /** Adds the light of the suns before the sky. */
-    private static void addSuns(
-            float[] path, int bounce, float[] scratch, float[] frame, float[] bodies, float[] looks, int variant) {
+    private static void addSuns(float[] path, int bounce, float[] scratch, float[] frame, float[] looks, int variant) {
         int first = SunEmitter.first(frame);
         int count = (int) frame[Layout.SUNS];
         for (int sun = 0; sun < count; sun++) {
             int emitter = first + Layout.EMITTER_STRIDE * sun;
             int body = (int) looks[emitter + Layout.EMITTER_BODY];
-            if (SunEmitter.isMet(path, body, bodies) != 0) {
+            if (SunEmitter.isMet(path, body, looks) != 0) {
                 float weight = 1f;
                 if (path[Layout.SURFACE_DENSITY] > 0f) {
-                    weight = weight(path[Layout.SURFACE_DENSITY], SunEmitter.density(emitter, bodies, looks));
+                    weight = weight(path[Layout.SURFACE_DENSITY], SunEmitter.density(emitter, looks));
                 }
                 int emission = Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION;
                 path[Layout.EMITTED] = looks[emission];

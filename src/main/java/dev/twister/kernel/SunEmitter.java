@@ -14,18 +14,17 @@ public final class SunEmitter {
     }
 
     /** Writes a direction of the cone that a sun's disc fills, and what {@link Emitter#choose} writes. */
-    static void choose(float[] path, int body, float first, float second, float[] bodies) {
-        int place = Layout.PLACE_STRIDE * body;
-        float inverse = inverse(body, bodies);
-        float cone = cone(bodies[place + Layout.PLACE_SIZE] * inverse);
+    static void choose(float[] path, int body, float first, float second, float[] looks) {
+        int look = Layout.LOOK_STRIDE * body;
+        float cone = cone(looks[look + Layout.LOOK_SUN_SINE]);
         float below = first * cone;
         float sine = (float) Math.sqrt(Math.max(below * (2f - below), 0f));
         TangentFrame.write(
                 path,
                 Layout.TO_LIGHT,
-                bodies[place] * inverse,
-                bodies[place + 1] * inverse,
-                bodies[place + 2] * inverse,
+                -looks[look + Layout.LOOK_SPOT_AXIS],
+                -looks[look + Layout.LOOK_SPOT_AXIS + 1],
+                -looks[look + Layout.LOOK_SPOT_AXIS + 2],
                 sine * KernelMath.cosineOfTurns(second),
                 sine * KernelMath.sineOfTurns(second),
                 1f - below);
@@ -34,13 +33,12 @@ public final class SunEmitter {
     }
 
     /** 1 if the path's ray, which has met no body, goes to a sun's disc, else 0. */
-    public static int isMet(float[] path, int body, float[] bodies) {
-        int place = Layout.PLACE_STRIDE * body;
-        float inverse = inverse(body, bodies);
-        float x = bodies[place] * inverse;
-        float y = bodies[place + 1] * inverse;
-        float z = bodies[place + 2] * inverse;
-        float sine = bodies[place + Layout.PLACE_SIZE] * inverse;
+    public static int isMet(float[] path, int body, float[] looks) {
+        int look = Layout.LOOK_STRIDE * body;
+        float x = -looks[look + Layout.LOOK_SPOT_AXIS];
+        float y = -looks[look + Layout.LOOK_SPOT_AXIS + 1];
+        float z = -looks[look + Layout.LOOK_SPOT_AXIS + 2];
+        float sine = looks[look + Layout.LOOK_SUN_SINE];
         float directionX = path[Layout.DIRECTION];
         float directionY = path[Layout.DIRECTION + 1];
         float directionZ = path[Layout.DIRECTION + 2];
@@ -58,18 +56,10 @@ public final class SunEmitter {
      *
      * @param emitter its place in {@code looks}
      */
-    public static float density(int emitter, float[] bodies, float[] looks) {
+    public static float density(int emitter, float[] looks) {
         int body = (int) looks[emitter + Layout.EMITTER_BODY];
-        float sine = bodies[Layout.PLACE_STRIDE * body + Layout.PLACE_SIZE] * inverse(body, bodies);
+        float sine = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_SUN_SINE];
         return looks[emitter + Layout.EMITTER_PROBABILITY] * coneDensity(cone(sine));
-    }
-
-    /** One divided by the length of the vector that is a sun's place. */
-    private static float inverse(int body, float[] bodies) {
-        int place = Layout.PLACE_STRIDE * body;
-        return KernelMath.inverseRoot(bodies[place] * bodies[place]
-                + bodies[place + 1] * bodies[place + 1]
-                + bodies[place + 2] * bodies[place + 2]);
     }
 
     /** {@code 1 - cos} of the angle that the disc's radius fills. */

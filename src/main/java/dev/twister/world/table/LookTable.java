@@ -115,6 +115,7 @@ public final class LookTable {
         double scale = 1 / Math.max(LEAST_BLEND, shape.innerCosine() - shape.outerCosine());
         looks[look + Layout.LOOK_SPOT_SCALE] = (float) scale;
         looks[look + Layout.LOOK_SPOT_OFFSET] = (float) (-shape.outerCosine() * scale);
+        looks[look + Layout.LOOK_SUN_SINE] = (float) shape.discSine();
     }
 
     private void replace(float[] changed) {
