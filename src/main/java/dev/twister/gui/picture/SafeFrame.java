@@ -1,6 +1,7 @@
 package dev.twister.gui.picture;
 
 import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Camera;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Bounds;
@@ -39,7 +40,8 @@ public final class SafeFrame extends Pane {
                     view.getWidth(),
                     view.getHeight(),
                     studio.scene().rendering().width(),
-                    studio.scene().rendering().height());
+                    studio.scene().rendering().height(),
+                    studio.scene().camera().projection());
             outline.setX(view.getCenterX() - frame.width() / 2);
             outline.setY(view.getCenterY() - frame.height() / 2);
             outline.setWidth(frame.width());
@@ -48,13 +50,28 @@ public final class SafeFrame extends Pane {
     }
 
     /**
-     * The size, in a view, of what a picture of other proportions shows: the field of view is over the shorter side.
+     * The size, in a view, of what a picture of other proportions shows: the field of view is over the shorter side, an
+     * orthographic camera's height over the height, and a panorama always shows all.
      */
     public record FrameOutline(double width, double height) {
+        private FrameOutline times(double factor) {
+            return new FrameOutline(factor * width, factor * height);
+        }
+
         /** The outline of an output in a view of the same camera. */
-        public static FrameOutline of(double viewWidth, double viewHeight, double outputWidth, double outputHeight) {
-            double scale = Math.min(viewWidth, viewHeight) / Math.min(outputWidth, outputHeight);
-            return new FrameOutline(outputWidth * scale, outputHeight * scale);
+        public static FrameOutline of(
+                double viewWidth,
+                double viewHeight,
+                double outputWidth,
+                double outputHeight,
+                Camera.Projection projection) {
+            FrameOutline output = new FrameOutline(outputWidth, outputHeight);
+            return switch (projection) {
+                case PERSPECTIVE, FISHEYE ->
+                    output.times(Math.min(viewWidth, viewHeight) / Math.min(outputWidth, outputHeight));
+                case ORTHOGRAPHIC -> output.times(viewHeight / outputHeight);
+                case PANORAMA -> new FrameOutline(viewWidth, viewHeight);
+            };
         }
     }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.bodies.BoxSelection;
 import dev.twister.gui.picture.SafeFrame.FrameOutline;
+import dev.twister.scene.Camera;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rotation;
 import dev.twister.scene.Scene;
@@ -94,6 +95,15 @@ class BodyTransformTest {
 
     @Test
     void aWideFrameIsAsHighAsAWindowThatIsLessWide() {
-        assertThat(FrameOutline.of(400, 300, 1920, 1080)).isEqualTo(new FrameOutline(1920 * 300 / 1080.0, 300));
+        assertThat(FrameOutline.of(400, 300, 1920, 1080, Camera.Projection.PERSPECTIVE))
+                .isEqualTo(new FrameOutline(300 / 1080.0 * 1920, 300 / 1080.0 * 1080));
+    }
+
+    @Test
+    void aFrameWithoutPerspectiveIsAsHighAsTheWindowAndAPanoramaFillsIt() {
+        assertThat(FrameOutline.of(300, 400, 100, 50, Camera.Projection.ORTHOGRAPHIC))
+                .isEqualTo(new FrameOutline(800, 400));
+        assertThat(FrameOutline.of(300, 400, 100, 50, Camera.Projection.PANORAMA))
+                .isEqualTo(new FrameOutline(300, 400));
     }
 }
