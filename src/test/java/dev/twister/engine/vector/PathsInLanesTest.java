@@ -7,19 +7,25 @@ import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import dev.twister.image.Frame;
 import dev.twister.kernel.Views;
+import dev.twister.scene.Camera;
 import dev.twister.scene.Integrator;
+import dev.twister.scene.Light;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
+import dev.twister.scene.light.Lights;
 import dev.twister.scene.select.VisibleBodies;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -60,6 +66,31 @@ final class PathsInLanesTest {
     void otherScenesAreTheSame(String scene) {
         try (Engine vector = VectorEngines.open(2, CROWD)) {
             assertSame(vector, shipped(scene, 71, 43, 3));
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(Camera.Projection.class)
+    void projectionsAreTheSame(Camera.Projection projection) {
+        World world = world("weekend", 29, 23, 2);
+        world.setCamera(world.scene().camera().withProjection(projection).withAperture(0.1));
+        try (Engine vector = VectorEngines.open(2, CROWD)) {
+            assertSame(vector, world.snapshot());
+        }
+    }
+
+    /** A sharp sun, a wide one and a spot, beside the sky. */
+    @Test
+    void sunsAndSpotsAreTheSame() {
+        World world = world("weekend", 39, 27, 4);
+        world.show(world.scene()
+                .withLights(new Lights(List.of(
+                        Light.sun(new Vector3(-1, -1, 1), 0),
+                        Light.sun(new Vector3(1, -1, 0.5), 30),
+                        Light.spot(new Vector3(0, 6, 0), 0.3, new Vector3(0.2, -1, 0), 70)
+                                .withStrength(40)))));
+        try (Engine vector = VectorEngines.open(2, CROWD)) {
+            assertSame(vector, world.snapshot());
         }
     }
 
