@@ -1,6 +1,6 @@
 package dev.twister.kernel;
 
-/** View rays from the camera, by its projection; that of the paper has a viewport whose shorter side is -1 to 1. */
+/** View rays from the camera, by its projection; the paper's viewport extends from -1 to 1 over its shorter side. */
 public final class CameraRay {
     /** Through a viewport before the camera. */
     public static final int PERSPECTIVE = 0;

@@ -59,7 +59,7 @@ public final class Illumination {
         return isSun(light, looks) != 0 ? place : place - path[Layout.POINT + axis];
     }
 
-    /** 1 if the light is a sun, else 0. */
+    /** 1 if the body is a sun, else 0. */
     static int isSun(int light, float[] looks) {
         return looks[Layout.LOOK_STRIDE * light + Layout.LOOK_LIGHT] == Layout.SUN_LIGHT ? 1 : 0;
     }
@@ -74,10 +74,11 @@ public final class Illumination {
         return center;
     }
 
-    private static void aim(float[] path, float centerX, float centerY, float centerZ) {
-        float x = centerX;
-        float y = centerY;
-        float z = centerZ;
+    /** Aims at what is so far away from {@link Layout#POINT}. */
+    private static void aim(float[] path, float awayX, float awayY, float awayZ) {
+        float x = awayX;
+        float y = awayY;
+        float z = awayZ;
         float distanceSquared = x * x + y * y + z * z;
         float inverse = KernelMath.inverseRoot(distanceSquared);
         x = x * inverse;

@@ -222,7 +222,7 @@ public final class Layout {
 
     /**
      * A sun, which no ray hits. Its place is a vector toward it that is longer than any shadow ray need be; its size,
-     * divided by that length, is the sine of the angle that its radius fills.
+     * divided by that length, is {@link #LOOK_SUN_SINE}.
      */
     public static final int SUN_LIGHT = 2;
 

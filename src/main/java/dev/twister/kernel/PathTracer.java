@@ -150,9 +150,7 @@ public final class PathTracer {
             int variant) {
         int toEmitter = 0;
         if (body == Layout.NOTHING) {
-            if (frame[Layout.SUNS] > 0f) {
-                addSuns(path, bounce, scratch, frame, looks, variant);
-            }
+            addSuns(path, bounce, scratch, frame, looks, variant);
             addSky(path, bounce, scratch, frame, looks, images, variant);
         }
         if (body > Layout.NOTHING) {

@@ -81,13 +81,17 @@ public final class Animation {
                 : (int) Math.min(Integer.MAX_VALUE - 1.0, Math.floor(steps + 0.5)) + 1;
     }
 
+    /** Whether a track or an animation of a mesh begins again where it ends. */
+    public static boolean repeats(Scene scene) {
+        return scene.tracks().stream().anyMatch(Track::loop)
+                || scene.meshes().stream()
+                        .anyMatch(mesh -> plays(mesh) && mesh.animation().loop());
+    }
+
     /** Whether something loops, and at the end everything is as at the start. */
     private static boolean loops(Scene scene, SceneMeshes meshes) {
         double end = length(scene, meshes);
-        return (scene.tracks().stream().anyMatch(Track::loop)
-                        || scene.meshes().stream()
-                                .anyMatch(
-                                        mesh -> plays(mesh) && mesh.animation().loop()))
+        return repeats(scene)
                 && scene.tracks().stream()
                         .allMatch(track -> areEqual(TrackCurve.at(track, 0), TrackCurve.at(track, end)))
                 && scene.meshes().stream().filter(Animation::plays).allMatch(mesh -> turns(mesh, meshes, end))

@@ -32,6 +32,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 
 /**
  * The mesh files that a scene refers to, each once, with a hierarchy over the triangles of each mesh. It is shared by
@@ -187,17 +188,15 @@ public final class SceneMeshes {
      */
     SceneMeshes posed(List<Mesh> meshes, SceneMeshes before) {
         SceneMeshes atRest = rest.orElse(this);
-        Set<Pose> poses = new LinkedHashSet<>();
-        Set<Source> still = new LinkedHashSet<>(atRest.loadedBySource.keySet());
-        for (Mesh mesh : meshes) {
-            if (!mesh.animation().isNone() && holds(mesh)) {
-                poses.add(Pose.of(mesh));
-                still.remove(Source.of(mesh));
-            }
-        }
+        Set<Pose> poses = meshes.stream()
+                .filter(mesh -> !mesh.animation().isNone() && holds(mesh))
+                .map(Pose::of)
+                .collect(Collectors.toCollection(LinkedHashSet::new));
         if (poses.isEmpty()) {
             return atRest;
         }
+        Set<Source> still = new LinkedHashSet<>(atRest.loadedBySource.keySet());
+        poses.forEach(pose -> still.remove(pose.source()));
         meshes.stream()
                 .filter(mesh -> mesh.animation().isNone())
                 .map(Source::of)
@@ -378,8 +377,7 @@ public final class SceneMeshes {
     /** The mesh at another time of its animation, if it is not there at the one that is asked for. */
     private Optional<Loaded> anyPose(Mesh mesh) {
         return loadedByPose.entrySet().stream()
-                .filter(entry -> !mesh.animation().isNone()
-                        && entry.getKey().source().equals(Source.of(mesh))
+                .filter(entry -> entry.getKey().source().equals(Source.of(mesh))
                         && entry.getKey()
                                 .animation()
                                 .withStart(0)
@@ -389,9 +387,10 @@ public final class SceneMeshes {
     }
 
     private Loaded loaded(Mesh mesh) {
-        Loaded loaded = Optional.ofNullable(loadedByPose.get(Pose.of(mesh)))
-                .or(() -> anyPose(mesh))
-                .orElseGet(() -> loadedBySource.get(Source.of(mesh)));
+        Optional<Loaded> moving = mesh.animation().isNone()
+                ? Optional.empty()
+                : Optional.ofNullable(loadedByPose.get(Pose.of(mesh))).or(() -> anyPose(mesh));
+        Loaded loaded = moving.orElseGet(() -> loadedBySource.get(Source.of(mesh)));
         if (loaded == null) {
             throw new IllegalArgumentException("the mesh " + mesh.geometry() + " was not read");
         }

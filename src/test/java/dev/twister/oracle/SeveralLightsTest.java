@@ -11,6 +11,7 @@ import dev.twister.scene.Vector3;
 import dev.twister.scene.light.Lights;
 import java.util.List;
 import java.util.Random;
+import java.util.function.BiFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -57,27 +58,22 @@ class SeveralLightsTest {
 
     @Test
     void sunsAreTheOracles() {
-        PixelJudge judge = new PixelJudge();
-        for (int seed = 0; seed < 30; seed++) {
-            Random random = new Random(seed);
-            LitScene lit = seed % 3 == 0
-                    ? RandomMeshes.scene(random, random.nextInt(4))
-                    : RandomMaterials.scene(random, random.nextInt(4));
-            LitScene scene = RandomLights.ofSuns(lit, random);
-            judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, scene), scene);
-        }
-        judge.requireExcusedAtMostOneIn(MESH_PIXELS_AN_EXCUSE);
+        requireOracles(RandomLights::ofSuns);
     }
 
     @Test
     void spotsAreTheOracles() {
+        requireOracles(RandomLights::ofSpots);
+    }
+
+    private static void requireOracles(BiFunction<LitScene, Random, LitScene> lights) {
         PixelJudge judge = new PixelJudge();
         for (int seed = 0; seed < 30; seed++) {
             Random random = new Random(seed);
             LitScene lit = seed % 3 == 0
                     ? RandomMeshes.scene(random, random.nextInt(4))
                     : RandomMaterials.scene(random, random.nextInt(4));
-            LitScene scene = RandomLights.ofSpots(lit, random);
+            LitScene scene = lights.apply(lit, random);
             judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, scene), scene);
         }
         judge.requireExcusedAtMostOneIn(MESH_PIXELS_AN_EXCUSE);

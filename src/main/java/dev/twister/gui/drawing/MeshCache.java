@@ -70,10 +70,11 @@ public final class MeshCache {
             startAnew(newDocument);
         }
         if (task.isEmpty()) {
-            takeShapes(missing(scene));
-            List<Mesh> missing = missing(scene);
-            if (!missing.isEmpty()) {
-                begin(missing);
+            Map<Boolean, List<Mesh>> missing = missing(scene).stream()
+                    .collect(Collectors.partitioningBy(mesh -> mesh.geometry() instanceof Shape));
+            take(missing.get(true));
+            if (!missing.get(false).isEmpty()) {
+                begin(missing.get(false));
             }
         }
         return held;
@@ -130,10 +131,7 @@ public final class MeshCache {
     }
 
     /** Shapes are at hand at once, so that no picture is drawn of a scene without its walls. */
-    private void takeShapes(List<Mesh> missing) {
-        List<Mesh> shapes = missing.stream()
-                .filter(mesh -> mesh.geometry() instanceof Shape)
-                .toList();
+    private void take(List<Mesh> shapes) {
         if (!shapes.isEmpty()) {
             tell(complaints, shapes, () -> {
                 List<Mesh> all = new ArrayList<>(meshBySource.values());

@@ -1,7 +1,6 @@
 package dev.twister.gui.picking;
 
 import dev.twister.gui.edit.Axis;
-import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.property.SceneLimits;
@@ -44,7 +43,7 @@ public final class BodyDrag {
                         camera[Layout.CAMERA_POSITION],
                         camera[Layout.CAMERA_POSITION + 1],
                         camera[Layout.CAMERA_POSITION + 2]));
-        double depth = isRound(input) ? away.length() : away.dot(forward(input));
+        double depth = PointerRay.isRound(input) ? away.length() : away.dot(PointerRay.forward(input));
         Vector3 held = pointAt(input, depth, x, y);
         return new BodyDrag(depth, place, place.minus(held));
     }
@@ -83,18 +82,6 @@ public final class BodyDrag {
     private static Vector3 pointAt(FrameInput input, double depth, double x, double y) {
         PointerRay ray = PointerRay.through(input, x, y);
         // Above 0 for every pixel: the field of view is below 180 degrees.
-        double forward = isRound(input) ? 1 : ray.direction().dot(forward(input));
-        return ray.along(depth / forward);
-    }
-
-    /** Whether the picture has no plane that faces the camera, but spheres about it. */
-    private static boolean isRound(FrameInput input) {
-        return input.view().frame()[Layout.CAMERA_PROJECTION] > CameraRay.ORTHOGRAPHIC;
-    }
-
-    private static Vector3 forward(FrameInput input) {
-        float[] camera = input.view().frame();
-        return new Vector3(
-                camera[Layout.CAMERA_FORWARD], camera[Layout.CAMERA_FORWARD + 1], camera[Layout.CAMERA_FORWARD + 2]);
+        return ray.along(depth / ray.ahead(input));
     }
 }

@@ -85,6 +85,22 @@ public record PointerRay(float[] path, int body, Bodies bodies) {
         return new Vector3(direction(0), direction(1), direction(2));
     }
 
+    /** How far ahead of the camera a meter along the ray leads; 1 where no plane faces the camera. */
+    double ahead(FrameInput input) {
+        return isRound(input) ? 1 : direction().dot(forward(input));
+    }
+
+    /** Whether the picture has no plane that faces the camera, but spheres about it: a panorama's or a fisheye's. */
+    static boolean isRound(FrameInput input) {
+        return input.view().frame()[Layout.CAMERA_PROJECTION] > CameraRay.ORTHOGRAPHIC;
+    }
+
+    static Vector3 forward(FrameInput input) {
+        float[] camera = input.view().frame();
+        return new Vector3(
+                camera[Layout.CAMERA_FORWARD], camera[Layout.CAMERA_FORWARD + 1], camera[Layout.CAMERA_FORWARD + 2]);
+    }
+
     /** The point that number of meters along, in the scene. */
     Vector3 along(double meters) {
         Vector3 origin = bodies.origin();
@@ -117,13 +133,6 @@ public record PointerRay(float[] path, int body, Bodies bodies) {
         if (ray.body() == Layout.NOTHING) {
             return CameraProperties.FOCUS_DISTANCE.range().max();
         }
-        float[] camera = input.view().frame();
-        double cosine = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            cosine += ray.direction(axis) * camera[Layout.CAMERA_FORWARD + axis];
-        }
-        // A panorama or a fisheye has no plane in focus.
-        double ahead = camera[Layout.CAMERA_PROJECTION] > CameraRay.ORTHOGRAPHIC ? 1 : cosine;
-        return CameraProperties.FOCUS_DISTANCE.range().clamp(ray.distance() * ahead);
+        return CameraProperties.FOCUS_DISTANCE.range().clamp(ray.distance() * ray.ahead(input));
     }
 }

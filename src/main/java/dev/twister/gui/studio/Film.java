@@ -7,7 +7,6 @@ import dev.twister.gui.edit.TrackEdits.KeyMark;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;
-import dev.twister.scene.Track;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.Animation;
@@ -270,10 +269,7 @@ public final class Film {
             playing.set(canPlay() && meshes.get().equals(SceneMeshes.NONE));
             return;
         }
-        boolean again = scene.tracks().stream().anyMatch(Track::loop)
-                || scene.meshes().stream()
-                        .anyMatch(mesh ->
-                                !mesh.animation().isNone() && mesh.animation().loop());
+        boolean again = Animation.repeats(scene);
         double now = seconds.get() + passed;
         seconds.set(again && now >= end ? (now - end) % end : Math.min(end, now));
         if (!keyframes().isEmpty()) {

@@ -21,7 +21,8 @@ import java.util.Optional;
 record GltfRig(
         List<GltfAnimation> animations, GltfSkeleton skeleton, List<Part> parts, Map<Integer, GltfDeformed> meshes)
         implements MeshRig {
-    private static final Vector3 ZERO = Vector3.ZERO;
+    /** Of a part that would leave the range of coordinates. */
+    private static final Affine NOWHERE = new Affine(Vector3.ZERO, Vector3.ZERO, Vector3.ZERO, Vector3.ZERO);
 
     /**
      * What places a part.
@@ -102,7 +103,7 @@ record GltfRig(
             Part part = parts.get(i);
             placed.add(part.node()
                     .map(node -> GltfTransform.turned(placements.get(node).of(part.instance())))
-                    .map(placement -> GltfTransform.isNear(placement) ? placement : new Affine(ZERO, ZERO, ZERO, ZERO))
+                    .map(placement -> GltfTransform.isNear(placement) ? placement : NOWHERE)
                     .map(placement -> new MeshPart(
                             before.name(), before.mesh(), placement.of(part.primitive()), before.material()))
                     .orElse(before));

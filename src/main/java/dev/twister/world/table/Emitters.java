@@ -119,8 +119,7 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
             Bodies bodies, int first, int end, float[] looks, EmissionMeans means, List<Emitter> emitters) {
         for (int body = first; body < end; body++) {
             double radiance = means.of(body);
-            boolean isSun = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_LIGHT] == Layout.SUN_LIGHT;
-            if (radiance > 0 && body != Layout.PLANE && !isSun) {
+            if (radiance > 0 && body != Layout.PLANE && !isSun(body, looks)) {
                 double area = 4 * Math.PI * bodies.size(body) * bodies.size(body);
                 looks[Layout.LOOK_STRIDE * body + Layout.LOOK_EMITTER] = 1 + emitters.size();
                 double[] center = {bodies.center(body, 0), bodies.center(body, 1), bodies.center(body, 2)};
@@ -139,15 +138,17 @@ public record Emitters(float[] looks, float[] images, int table, int count, int 
         return axis;
     }
 
+    private static boolean isSun(int body, float[] looks) {
+        return looks[Layout.LOOK_STRIDE * body + Layout.LOOK_LIGHT] == Layout.SUN_LIGHT;
+    }
+
     /** The suns, whose power is the irradiance. */
     private static List<Emitter> suns(Bodies bodies, float[] looks, EmissionMeans means) {
         List<Emitter> suns = new ArrayList<>();
         for (int body = bodies.room(); body < bodies.sphereEnd(); body++) {
-            double[] toward = {bodies.center(body, 0), bodies.center(body, 1), bodies.center(body, 2)};
-            double sine =
-                    Math.max(bodies.size(body) / Math.sqrt(EmitterTree.dot(toward, toward)), SunEmitter.LEAST_SINE);
+            double sine = Math.max(looks[Layout.LOOK_STRIDE * body + Layout.LOOK_SUN_SINE], SunEmitter.LEAST_SINE);
             double power = means.of(body) * sine * sine;
-            if (looks[Layout.LOOK_STRIDE * body + Layout.LOOK_LIGHT] == Layout.SUN_LIGHT && power > 0) {
+            if (isSun(body, looks) && power > 0) {
                 suns.add(new Emitter(body, -1, -1, 0, new EmitterTree.Part(TO_ALL, 0, power, TO_ALL)));
             }
         }

@@ -31,11 +31,7 @@ class ViewsOnDeviceTest {
     void isSequentials(StageOrView picture, EngineOffer offer) {
         for (int spheres : new int[] {FEW, MANY}) {
             World world = SceneSamples.world(11, spheres);
-            world.setSettings(Rendering.DEFAULT
-                    .withSize(80, 45)
-                    .withShadowSamples(9)
-                    .withBounces(2)
-                    .withSamplesPerPixel(2));
+            world.setSettings(small(Rendering.DEFAULT));
             try (Engine engine = offer.opener().get()) {
                 Pictures.requireSequentialsRadiance(engine, world.snapshot().showing(picture));
             }
@@ -76,11 +72,7 @@ class ViewsOnDeviceTest {
     void projectionIsSequentials(Camera.Projection projection, EngineOffer offer) {
         World world = SceneSamples.world(11, FEW);
         world.setCamera(world.scene().camera().withProjection(projection).withAperture(0.1));
-        world.setSettings(Rendering.DEFAULT
-                .withSize(80, 45)
-                .withShadowSamples(9)
-                .withBounces(2)
-                .withSamplesPerPixel(2));
+        world.setSettings(small(Rendering.DEFAULT));
         try (Engine engine = offer.opener().get()) {
             Pictures.requireSequentialsRadiance(engine, world.snapshot());
         }
@@ -98,13 +90,13 @@ class ViewsOnDeviceTest {
         Scene scene = SceneReader.read(Path.of("scenes/gallery.json"));
         SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
         World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
-        world.setSettings(scene.rendering()
-                .withSize(80, 45)
-                .withShadowSamples(9)
-                .withBounces(2)
-                .withSamplesPerPixel(2));
+        world.setSettings(small(scene.rendering()));
         try (Engine engine = offer.opener().get()) {
             Pictures.requireSequentialsRadiance(engine, world.snapshot().showing(picture));
         }
+    }
+
+    private static Rendering small(Rendering settings) {
+        return settings.withSize(80, 45).withShadowSamples(9).withBounces(2).withSamplesPerPixel(2);
     }
 }
