@@ -56,7 +56,7 @@ final class BruteForce {
             media = media.at(body, fromInside);
             throughput = throughput.times(media.passed(distance));
             if (body.emits(ray, fromInside)) {
-                found = found.plus(throughput.times(material.emission()));
+                found = found.plus(throughput.times(material.emission().times(body.part(ray.direction()))));
             }
             if (lights.contains(body) || bounce > bounceLimit) {
                 return found;
