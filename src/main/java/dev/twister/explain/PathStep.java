@@ -8,7 +8,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * A ray of a pixel's path, and what it meets.
+ * A ray of a pixel's path, and what it meets. A ray that passes the discs of suns has a step for each, and one for the
+ * sky behind them.
  *
  * @param parent the index of the step whose surface it leaves; {@link #NO_PARENT} for the view ray
  * @param bounce how many surfaces the path has left before, 0 for the view ray
@@ -18,7 +19,7 @@ import java.util.Optional;
  * @param throughput what part of the radiance it finds reaches the pixel
  * @param body what it meets, as view {@code body} numbers it: {@link Layout#NOTHING} is the sky, {@link Layout#LIGHT}
  *     the first light, {@link Layout#PLANE} the plane, spheres follow
- * @param distance in meters; 0 where it meets nothing
+ * @param distance in meters; 0 where it meets the sky or a sun
  * @param shading of the surface it meets; none for a light and the sky, and in path tracing
  * @param light found in path tracing
  * @param scattering at the surface in path tracing

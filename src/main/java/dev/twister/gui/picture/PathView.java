@@ -174,7 +174,7 @@ public final class PathView extends Pane {
         }
 
         private static double length(PathStep step) {
-            return step.body() == BodyNumber.NONE ? TO_THE_SKY : step.distance();
+            return step.distance() == 0 ? TO_THE_SKY : step.distance();
         }
 
         private static Vector3 along(Vector3 from, Vector3 direction, double meters) {
