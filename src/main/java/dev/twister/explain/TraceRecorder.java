@@ -152,8 +152,7 @@ final class TraceRecorder {
         for (int channel = 0; channel < CHANNELS; channel++) {
             copy[Layout.RADIANCE + channel] = 0;
         }
-        PathTracer.arrive(
-                copy, Layout.NOTHING, bounce, scratch, far, bodies, looks, meshes, input.images(), variant);
+        PathTracer.arrive(copy, Layout.NOTHING, bounce, scratch, far, bodies, looks, meshes, input.images(), variant);
         return Floats.rgb(copy, Layout.RADIANCE);
     }
 
@@ -161,8 +160,7 @@ final class TraceRecorder {
     private Optional<FoundLight> metLight(float[] ray, int body) {
         if (body == Layout.NOTHING) {
             SkyLookup.write(ray, Layout.DIRECTION, Layout.EMITTED, frame, input.images());
-            return Optional.of(
-                    light(ray, Layout.EMITTED, ray, Emitter.skyDensity(ray, frame, looks, input.images())));
+            return Optional.of(light(ray, Layout.EMITTED, ray, Emitter.skyDensity(ray, frame, looks, input.images())));
         }
         if (Emitter.shines(ray, body, frame, looks, variant) == 0) {
             return Optional.empty();

@@ -94,8 +94,8 @@ public final class Hit {
     }
 
     /**
-     * Distance to a sphere given by center and radius in an array. Transmitting spheres are also hit from inside; a
-     * ray against which a spot emits nothing does not hit it.
+     * Distance to a sphere given by center and radius in an array. Transmitting spheres are also hit from inside; a ray
+     * against which a spot emits nothing does not hit it.
      */
     private static float sphere(
             float[] path, int at, int body, float[] frame, float[] bodies, float[] looks, int variant) {

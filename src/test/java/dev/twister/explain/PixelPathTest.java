@@ -286,7 +286,8 @@ class PixelPathTest {
         assertThat(steps.get(view).adds().blue()).isZero();
         assertThat(steps.get(view + 1).adds().green()).isGreaterThan(1);
         assertThat(steps.get(view + 1).adds().red()).isZero();
-        assertThat(steps.getLast().adds()).isEqualTo(steps.getLast().light().orElseThrow().radiance());
+        assertThat(steps.getLast().adds())
+                .isEqualTo(steps.getLast().light().orElseThrow().radiance());
         assertThat(path.radiance()).isEqualTo(path.pixel());
     }
 

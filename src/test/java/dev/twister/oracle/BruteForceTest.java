@@ -120,9 +120,8 @@ class BruteForceTest {
         Light spot = Light.spot(new Vector3(0.9, 1.9, -1.2), 0.5, new Vector3(-0.6, -0.6, 0.8), 100)
                 .withColor(new Rgb(1, 0.8, 0.5))
                 .withStrength(1.5);
-        Lights lights = lit.scene()
-                .lights()
-                .with(List.of(spot.withShape(spot.shape().withConeBlend(0.4))));
+        Lights lights =
+                lit.scene().lights().with(List.of(spot.withShape(spot.shape().withConeBlend(0.4))));
         requireMeans("a spot", new LitScene(lit.scene().withLights(lights), lit.images(), lit.meshes()));
     }
 

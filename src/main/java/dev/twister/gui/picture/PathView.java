@@ -5,7 +5,6 @@ import dev.twister.explain.PathStep.LightSample;
 import dev.twister.explain.PathStep.ShadedSurface;
 import dev.twister.explain.PixelPath;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.picking.Projection;
 import dev.twister.gui.picture.PathView.PathLines.Kind;
 import dev.twister.gui.picture.PathView.PathLines.Line;
