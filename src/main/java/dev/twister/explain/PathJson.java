@@ -138,6 +138,9 @@ public final class PathJson {
         tree.put("toLight", vector(light.toLight()));
         tree.put("normalDotLight", number(light.normalDotLight()));
         tree.put("visible", number(light.visible()));
+        if (light.cone() != 1) {
+            tree.put("cone", number(light.cone()));
+        }
         if (light.share() != 1) {
             tree.put("share", number(light.share()));
         }

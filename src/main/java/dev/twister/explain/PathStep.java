@@ -100,8 +100,9 @@ public record PathStep(
      * @param toLight L, a unit vector to the light's center
      * @param normalDotLight N.L
      * @param visible S in [0, 1]; 1 where it changes nothing, and there are no shadow rays
+     * @param cone the part of a spot's light that goes to the point, in [0, 1]; 1 for other lights
      * @param share k
-     * @param specular spec, with S in it
+     * @param specular spec, with S and cone in it
      * @param shadowRays as many as the picture has shadow samples, or none
      */
     public record LightPart(
@@ -109,12 +110,13 @@ public record PathStep(
             Vector3 toLight,
             double normalDotLight,
             double visible,
+            double cone,
             double share,
             double specular,
             List<LightSample> shadowRays) {
-        /** The light's part of lit: {@code k max(0, N.L) S}. */
+        /** The light's part of lit: {@code k max(0, N.L) S}, for a spot times the cone. */
         public double lit() {
-            return share * Math.max(0, normalDotLight) * visible;
+            return share * Math.max(0, normalDotLight) * visible * cone;
         }
     }
 

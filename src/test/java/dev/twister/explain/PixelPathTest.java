@@ -78,6 +78,18 @@ class PixelPathTest {
         }
     }
 
+    /** Suns and spots, too. */
+    @Test
+    void otherLightsAddUp() {
+        for (int seed = 0; seed < 8; seed++) {
+            Random random = new Random(seed);
+            LitScene scene = RandomMaterials.scene(random, 3);
+            LitScene lit = seed % 2 == 0 ? RandomLights.ofSuns(scene, random) : RandomLights.ofSpots(scene, random);
+            pathsAddUp(input(lit, lit.scene().rendering()));
+            pathsAddUp(input(lit, lit.scene().rendering().withIntegrator(Integrator.PATH)));
+        }
+    }
+
     @ParameterizedTest
     @MethodSource("shipped")
     void tracedPathsOfShippedScenesAddUp(String name) {
