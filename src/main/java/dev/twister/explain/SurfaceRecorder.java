@@ -51,14 +51,7 @@ final class SurfaceRecorder {
         float[] frame = input.view().frame();
         Bodies bodies = input.bodies();
         float visible = Path.visible(
-                path,
-                body,
-                scratch,
-                frame,
-                bodies.floats(),
-                bodies.looks(),
-                bodies.meshes(),
-                input.variant(false));
+                path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.variant(false));
         float cone = SpotEmitter.part(path, Layout.TO_LIGHT, input.light(light), bodies.looks());
         return new LightPart(
                 light,
