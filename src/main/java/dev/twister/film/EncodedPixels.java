@@ -21,7 +21,7 @@ public final class EncodedPixels {
         for (int i = 0; i < argb.length; i++) {
             int pixel = argb[i];
             encoded[i] =
-                    0xff000000 | curve[pixel >> 16 & 0xff] << 16 | curve[pixel >> 8 & 0xff] << 8 | curve[pixel & 0xff];
+                    pixel & 0xff000000 | curve[pixel >> 16 & 0xff] << 16 | curve[pixel >> 8 & 0xff] << 8 | curve[pixel & 0xff];
         }
         return encoded;
     }
