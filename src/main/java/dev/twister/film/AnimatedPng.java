@@ -61,7 +61,11 @@ final class AnimatedPng implements FilmEncoder {
                 .out()
                 .write(ByteBuffer.allocate(Long.BYTES).putLong(SIGNATURE).array());
         ByteBuffer header = ByteBuffer.allocate(13).putInt(format.width()).putInt(format.height());
-        chunk("IHDR", header.put(BITS).put(format.alpha() ? TRUE_COLOR_AND_ALPHA : TRUE_COLOR).array());
+        chunk(
+                "IHDR",
+                header.put(BITS)
+                        .put(format.alpha() ? TRUE_COLOR_AND_ALPHA : TRUE_COLOR)
+                        .array());
         chunk("sRGB", new byte[] {PERCEPTUAL});
         chunk("acTL", ByteBuffer.allocate(8).putInt(format.frames()).array());
     }

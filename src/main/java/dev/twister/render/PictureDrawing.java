@@ -90,8 +90,7 @@ final class PictureDrawing implements AutoCloseable {
             StageOrView wanted, FrameInput shown, BandedDrawing.Drawn drawn, List<ExrChannel> samples) {
         GuidedPicture guided = new GuidedPicture(
                 drawn.frame(), lightGroups.map(LightGroups::names).orElse(List.of()));
-        Optional<AlphaChannel> alpha =
-                shown.isCut() ? Optional.of(AlphaChannel.of(drawn.frame())) : Optional.empty();
+        Optional<AlphaChannel> alpha = shown.isCut() ? Optional.of(AlphaChannel.of(drawn.frame())) : Optional.empty();
         boolean denoises = order.finishing().denoiser().isPresent();
         Frame frame = denoises ? guided.denoised(denoiser()) : drawn.frame();
         if (denoises) {
@@ -108,7 +107,8 @@ final class PictureDrawing implements AutoCloseable {
 
     private static Frame toned(Frame linear, FrameInput input, Optional<AlphaChannel> alpha) {
         Frame pixels = Frame.ofPixels(linear.width(), linear.height());
-        float[] colors = alpha.map(channel -> channel.straight(linear.radiance())).orElse(linear.radiance());
+        float[] colors =
+                alpha.map(channel -> channel.straight(linear.radiance())).orElse(linear.radiance());
         TonedPixels.write(colors, input, pixels.argb());
         alpha.ifPresent(channel -> channel.put(pixels.argb()));
         pixels.setTimes(linear.times());

@@ -74,11 +74,11 @@ class CutOutTest {
         Outcome outcome = Outcome.of("join", first.toString(), second.toString(), "-o", joined.toString());
 
         assertThat(outcome.err()).isEmpty();
+        BufferedImage picture = read(joined);
         for (int pixel = 0; pixel < PIXELS; pixel++) {
             for (int shift = 0; shift < 32; shift += 8) {
-                int value = read(joined).getRGB(pixel % WIDTH, pixel / WIDTH) >>> shift & 0xFF;
-                assertThat(value)
-                        .isCloseTo(whole.getRGB(pixel % WIDTH, pixel / WIDTH) >>> shift & 0xFF, within(1));
+                int value = picture.getRGB(pixel % WIDTH, pixel / WIDTH) >>> shift & 0xFF;
+                assertThat(value).isCloseTo(whole.getRGB(pixel % WIDTH, pixel / WIDTH) >>> shift & 0xFF, within(1));
             }
         }
     }
@@ -89,8 +89,8 @@ class CutOutTest {
         Path film = render("film.apng", turn);
         Path frame = render("frame-#.png", turn).resolveSibling("frame-0.png");
         Path joined = folder.resolve("joined.apng");
-        Outcome outcome = Outcome.of(
-                "film", folder.resolve("frame-#.png").toString(), "-o", joined.toString(), "--fps", "1");
+        Outcome outcome =
+                Outcome.of("film", folder.resolve("frame-#.png").toString(), "-o", joined.toString(), "--fps", "1");
 
         assertThat(outcome.err()).isEmpty();
         assertThat(joined).hasSameBinaryContentAs(film);

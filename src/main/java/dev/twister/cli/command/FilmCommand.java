@@ -90,7 +90,8 @@ final class FilmCommand implements Callable<Integer> {
         List<Path> pictures = pictures();
         PictureSize size = PngNotes.of(pictures.getFirst()).size();
         FilmFile film = FilmOutput.of(output, spec.commandLine().getErr());
-        FilmFormat format = new FilmFormat(size.width(), size.height(), framesPerSecond, pictures.size(), isTransparent(pictures.getFirst()));
+        FilmFormat format = new FilmFormat(
+                size.width(), size.height(), framesPerSecond, pictures.size(), isTransparent(pictures.getFirst()));
         if (format.alpha() && film.ffmpeg().isPresent()) {
             throw new BadInputException(
                     "--output is " + output + ", but the frames are transparent, which only an .apng file can be");

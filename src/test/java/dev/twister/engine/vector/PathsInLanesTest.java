@@ -122,7 +122,8 @@ final class PathsInLanesTest {
     void alphaIsTheSame(String name) {
         World world = world(name, 23, 17, 4);
         assertLayersAreSame(world.snapshot().withoutBackground());
-        assertLayersAreSame(world.snapshot().withLightLayers(world.lightGroups()).withoutBackground());
+        assertLayersAreSame(
+                world.snapshot().withLightLayers(world.lightGroups()).withoutBackground());
     }
 
     private static void assertLayersAreSame(FrameInput input) {
