@@ -117,9 +117,7 @@ final class TraceRecorder {
         if (Emitter.shines(ray, body, frame, looks, variant) == 0) {
             return Optional.empty();
         }
-        for (int channel = 0; channel < CHANNELS; channel++) {
-            ray[Layout.EMITTED + channel] = Emitter.emission(ray, body, channel, looks, variant);
-        }
+        PathTracer.emit(ray, body, looks, variant);
         return Optional.of(light(ray, Layout.EMITTED, ray, Emitter.density(ray, body, frame, bodies, looks, variant)));
     }
 
@@ -147,7 +145,7 @@ final class TraceRecorder {
 
     /** @param ray a copy of the path at the surface, on which the step is repeated */
     private Scattering scattering(float[] ray, int body, int bounce) {
-        Lobes.prepare(ray, body, frame, variant);
+        Lobes.prepare(ray, body, frame, looks, variant);
         boolean last = bounce >= (int) frame[Layout.BOUNCES];
         Optional<EmitterChoice> emitter = Lobes.scatters(ray) != 0 && frame[Layout.EMITTERS] > 0
                 ? Optional.of(emitter(ray, body, bounce, last))
@@ -188,7 +186,7 @@ final class TraceRecorder {
         for (int channel = 0; channel < CHANNELS; channel++) {
             ray[Layout.THROUGHPUT + channel] = 1;
         }
-        Lobes.choose(ray, bounce, frame);
+        Lobes.choose(ray, bounce, frame, looks);
         Rgb factor = Floats.rgb(ray, Layout.THROUGHPUT);
         for (int channel = 0; channel < CHANNELS; channel++) {
             ray[Layout.THROUGHPUT + channel] *= before[Layout.THROUGHPUT + channel];

@@ -28,7 +28,8 @@ public final class Branch {
         float ratio = 1f;
         float reflectance = 0f;
         if (transmission > 0f) {
-            ratio = inside != 0 ? path[Layout.IOR] : 1f / path[Layout.IOR];
+            int leaves = inside & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
+            ratio = leaves != 0 ? path[Layout.IOR] : 1f / path[Layout.IOR];
             reflectance = Refraction.reflectance(cosine, ratio);
         }
         float passing = (1f - mirror) * transmission;
@@ -42,9 +43,8 @@ public final class Branch {
         float refractedY = 0f;
         float refractedZ = 0f;
         if (refracted > 0f) {
-            // The plane is infinitely thin, without an inside: the transmitted ray is the reflected one on the other
-            // side.
-            int sheet = body == Layout.PLANE ? 1 : 0;
+            // Through a sheet the transmitted ray is the reflected one on the other side.
+            int sheet = path[Layout.IS_SHEET] > 0f ? 1 : 0;
             float along = Refraction.along(cosine, ratio);
             float mirrored = -2f * facing * cosineReflected;
             refractedX = sheet != 0

@@ -246,7 +246,13 @@ public final class Layout {
     /** The sine of the angle that the radius of a sun's disc fills. */
     public static final int LOOK_SUN_SINE = 27;
 
-    public static final int LOOK_STRIDE = 28;
+    /** Place in {@code looks} of the tables of {@link DirectionalAlbedo}, where {@link #LOOK_FRESNEL} is 1. */
+    public static final int LOOK_ALBEDOS = 28;
+
+    /** 1 if the body is as thin as a sheet, else 0. */
+    public static final int LOOK_SHEET = 29;
+
+    public static final int LOOK_STRIDE = 30;
 
     /**
      * After the bodies' looks, from {@link #MAPS} on, a table of the materials with maps. A row has first the maps. A
@@ -627,13 +633,16 @@ public final class Layout {
 
     public static final int OUTER_MEDIUM = 97;
 
-    public static final int PATH_LENGTH = 98;
+    /**
+     * Whether the surface is a thin sheet, which refracts nothing: 1 if it is a body's, 2 if it is the plane, which no
+     * ray is inside of, else 0.
+     */
+    public static final int IS_SHEET = 98;
+
+    public static final int PATH_LENGTH = 99;
 
     /** For path tracing: index of refraction on the ray's side divided by that on the other side. */
-    public static final int RATIO = 98;
-
-    /** 1 for the plane, which has no inside, else 0. */
-    public static final int IS_SHEET = 99;
+    public static final int RATIO = 99;
 
     /** Weights of the constant reflection, of the dielectric one, of the matte part and of transmission. */
     public static final int PART_MIRROR = 100;
@@ -680,7 +689,17 @@ public final class Layout {
     /** {@link #LOOK_SPECULAR_LOSS} of the surface. */
     public static final int SPECULAR_LOSS = 130;
 
-    public static final int TRACED_PATH_LENGTH = 131;
+    /** Place of the coat's table in {@link DirectionalAlbedo}, and of the mirror's; 0 without a coat. */
+    public static final int COAT_ALBEDO = 131;
+
+    public static final int MIRROR_ALBEDO = 132;
+
+    /** Factors of the matte part under a coat, and per channel of what a metal scatters more than once. */
+    public static final int UNDER_COAT = 133;
+
+    public static final int SCATTERED_AGAIN = 134;
+
+    public static final int TRACED_PATH_LENGTH = 137;
 
     /** With {@link Coverage}: the part of the background that the pixel's samples see, as a sum. */
     public static final int UNCOVERED = TRACED_PATH_LENGTH;

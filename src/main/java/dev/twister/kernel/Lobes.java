@@ -2,7 +2,9 @@ package dev.twister.kernel;
 
 /**
  * How a surface scatters light in path tracing: a reflection (a mirror, or GGX if rough), a matte part, and
- * transmission. The parts of {@link Layout#PART_MIRROR} and those after it weight them.
+ * transmission. The parts of {@link Layout#PART_MIRROR} and those after it weight them. By Fresnel's equations no light
+ * is lost: the matte part has what its coat leaves (Kelemen and Szirmay-Kalos 2001) and what a rough metal scatters
+ * more than once (Kulla and Conty 2017); rough glass is scaled to 1.
  */
 public final class Lobes {
     /** The lobes: reflection, the matte part, transmission. */
@@ -17,6 +19,9 @@ public final class Lobes {
     /** Rough glass of a lower index refracts straight on, which no facet describes. */
     private static final float LEAST_ROUGH_IOR = 1.001f;
 
+    /** The mean of {@code (1 - cos)^5} over all directions. */
+    private static final float MEAN_OF_SCHLICK = 1f / 21f;
+
     private static final float LEAST_COSINE = 1e-6f;
     private static final float LEAST_SQUARE = 1e-12f;
 
@@ -28,7 +33,7 @@ public final class Lobes {
      *
      * @param path {@link Layout#TRACED_PATH_LENGTH} floats, after {@link Surface#face}
      */
-    public static void prepare(float[] path, int body, float[] frame, int variant) {
+    public static void prepare(float[] path, int body, float[] frame, float[] looks, int variant) {
         int mesh = Surface.isMesh(body, frame, variant);
         float side = Facet.directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
         float along = Facet.directionDot(path, Layout.FACE);
@@ -52,24 +57,91 @@ public final class Lobes {
         path[Layout.PART_GLASS] = (1f - constant) * transmission;
         path[Layout.PART_MATTE] = (1f - constant) * (1f - transmission);
         float ior = path[Layout.IOR];
-        path[Layout.RATIO] = path[Layout.FROM_INSIDE] > 0f ? ior : 1f / Math.max(ior, 1f);
+        path[Layout.RATIO] = isInside(path) != 0 ? ior : 1f / Math.max(ior, 1f);
         int smooth =
                 (path[Layout.ROUGHNESS] > 0f ? 0 : 1) | ((transmission > 0f ? 1 : 0) & (ior < LEAST_ROUGH_IOR ? 1 : 0));
         path[Layout.ROUGHNESS] = smooth != 0 ? 0f : path[Layout.ROUGHNESS];
-        path[Layout.IS_SHEET] = body == Layout.PLANE ? 1f : 0f;
-        choices(path);
+        path[Layout.COAT_ALBEDO] = 0f;
+        if (fresnel != 0) {
+            keep(path, (int) looks[Layout.LOOK_STRIDE * body + Layout.LOOK_ALBEDOS], looks);
+        }
+        choices(path, looks);
+    }
+
+    /**
+     * Writes the factors by which the lobes together lose no light.
+     *
+     * @param tables place of {@link DirectionalAlbedo}'s tables
+     */
+    private static void keep(float[] path, int tables, float[] looks) {
+        float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
+        float roughness = path[Layout.ROUGHNESS];
+        int inside = isInside(path);
+        int mirror = tables + DirectionalAlbedo.MIRROR * DirectionalAlbedo.TABLE_LENGTH;
+        int coat = tables + DirectionalAlbedo.COAT * DirectionalAlbedo.TABLE_LENGTH;
+        int glass = tables + (DirectionalAlbedo.GLASS + inside) * DirectionalAlbedo.TABLE_LENGTH;
+        path[Layout.MIRROR_ALBEDO] = mirror;
+        path[Layout.COAT_ALBEDO] = coat;
+        float coated = coated(path);
+        float left = 1f - coated * DirectionalAlbedo.mean(coat, roughness, looks);
+        path[Layout.UNDER_COAT] =
+                (1f - coated * DirectionalAlbedo.of(coat, roughness, cosine, looks)) / Math.max(left, LEAST_SQUARE);
+        float mean = DirectionalAlbedo.mean(mirror, roughness, looks);
+        float once = DirectionalAlbedo.of(mirror, roughness, cosine, looks);
+        float again = path[Layout.PART_MIRROR] * (1f - once) / Math.max(1f - mean, LEAST_SQUARE);
+        for (int channel = 0; channel < 3; channel++) {
+            float albedo = path[Layout.ALBEDO + channel];
+            float reflected = albedo + (1f - albedo) * MEAN_OF_SCHLICK;
+            path[Layout.SCATTERED_AGAIN + channel] =
+                    again * reflected * reflected * mean / Math.max(1f - reflected * (1f - mean), LEAST_SQUARE);
+        }
+        // Through a sheet light leaves as if it were reflected.
+        int all = path[Layout.IS_SHEET] > 0f ? mirror : glass;
+        float whole = roughness > 0f ? 1f / DirectionalAlbedo.of(all, roughness, cosine, looks) : 1f;
+        float transmission = path[Layout.TRANSMISSION];
+        float coats = inside != 0 ? 0f : 1f - transmission;
+        path[Layout.PART_COAT] = path[Layout.PART_COAT] * (coats + transmission * whole);
+        path[Layout.PART_GLASS] = path[Layout.PART_GLASS] * whole;
+    }
+
+    /** The part of the dielectric reflectance that coats the matte part, which has no coat inside the body. */
+    private static float coated(float[] path) {
+        return isInside(path) != 0 ? 0f : 1f - path[Layout.SPECULAR_LOSS];
+    }
+
+    /** 1 if the ray comes from inside a body of some thickness, else 0. */
+    private static int isInside(float[] path) {
+        return (path[Layout.FROM_INSIDE] > 0f ? 1 : 0) & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
+    }
+
+    /**
+     * What the matte part scatters of one channel's light in a direction, times pi; without a coat the same for all.
+     */
+    private static float matte(float[] path, int channel, float underCoat, float again) {
+        return path[Layout.PART_MATTE] * underCoat * path[Layout.ALBEDO + channel]
+                + again * path[Layout.SCATTERED_AGAIN + channel];
     }
 
     /** Writes with which probability each lobe is chosen: in proportion to its largest channel, at the normal. */
-    private static void choices(float[] path) {
+    private static void choices(float[] path, float[] looks) {
         float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
         float fresnel = fresnel(path, cosine);
         float largest = Math.max(Math.max(path[Layout.ALBEDO], path[Layout.ALBEDO + 1]), path[Layout.ALBEDO + 2]);
         float mirror = Math.max(
                 Math.max(reflected(path, 0, cosine, fresnel), reflected(path, 1, cosine, fresnel)),
                 reflected(path, 2, cosine, fresnel));
-        float coated = path[Layout.IS_FRESNEL] > 0f ? 1f - fresnel : 1f;
-        float matte = path[Layout.PART_MATTE] * coated * largest;
+        float matte = path[Layout.PART_MATTE] * largest;
+        if (path[Layout.COAT_ALBEDO] > 0f) {
+            float under = 1f
+                    - coated(path)
+                            * DirectionalAlbedo.mean((int) path[Layout.COAT_ALBEDO], path[Layout.ROUGHNESS], looks);
+            float again = 1f - DirectionalAlbedo.mean((int) path[Layout.MIRROR_ALBEDO], path[Layout.ROUGHNESS], looks);
+            matte = Math.max(
+                    Math.max(
+                            matte(path, 0, path[Layout.UNDER_COAT] * under, again),
+                            matte(path, 1, path[Layout.UNDER_COAT] * under, again)),
+                    matte(path, 2, path[Layout.UNDER_COAT] * under, again));
+        }
         float glass = path[Layout.PART_GLASS] * (1f - fresnel) * largest;
         if (path[Layout.ROUGHNESS] > 0f) {
             float sum = mirror + matte + glass;
@@ -117,7 +189,7 @@ public final class Lobes {
      *
      * @return density per steradian with which {@link #choose} takes the direction, of these lobes together
      */
-    public static float evaluate(float[] path, float x, float y, float z) {
+    public static float evaluate(float[] path, float x, float y, float z, float[] looks) {
         float cosineOut = path[Layout.NORMAL] * x + path[Layout.NORMAL + 1] * y + path[Layout.NORMAL + 2] * z;
         float faceOut = path[Layout.FACE] * x + path[Layout.FACE + 1] * y + path[Layout.FACE + 2] * z;
         float cosineIn = Math.max(-Facet.directionDot(path, Layout.NORMAL), LEAST_COSINE);
@@ -128,15 +200,20 @@ public final class Lobes {
         path[Layout.SCATTERED + 1] = 0f;
         path[Layout.SCATTERED + 2] = 0f;
         if (above != 0) {
-            float coated = 1f;
-            if (path[Layout.IS_FRESNEL] > 0f) {
-                coated = (1f - fresnel(path, Math.min(cosineIn, 1f))) * (1f - fresnel(path, Math.min(cosineOut, 1f)));
+            float underCoat = 1f;
+            float again = 0f;
+            if (path[Layout.COAT_ALBEDO] > 0f) {
+                float cosine = Math.min(cosineOut, 1f);
+                float roughness = path[Layout.ROUGHNESS];
+                float coat = DirectionalAlbedo.of((int) path[Layout.COAT_ALBEDO], roughness, cosine, looks);
+                underCoat = path[Layout.UNDER_COAT] * (1f - coated(path) * coat);
+                again = 1f - DirectionalAlbedo.of((int) path[Layout.MIRROR_ALBEDO], roughness, cosine, looks);
             }
-            float matte = path[Layout.PART_MATTE] * coated * cosineOut / KernelMath.PI;
+            float matte = cosineOut / KernelMath.PI;
             for (int channel = 0; channel < 3; channel++) {
-                path[Layout.SCATTERED + channel] = matte * path[Layout.ALBEDO + channel];
+                path[Layout.SCATTERED + channel] = matte * matte(path, channel, underCoat, again);
             }
-            density = path[Layout.CHOICE_MATTE] * cosineOut / KernelMath.PI;
+            density = path[Layout.CHOICE_MATTE] * matte;
         }
         if (((above | below) & (path[Layout.ROUGHNESS] > 0f ? 1 : 0)) != 0) {
             density = density + rough(path, x, y, z, cosineIn, cosineOut);
@@ -193,7 +270,7 @@ public final class Lobes {
      *
      * @param bounce number of surfaces that the path has left before
      */
-    public static void choose(float[] path, int bounce, float[] frame) {
+    public static void choose(float[] path, int bounce, float[] frame, float[] looks) {
         int place = Noise.scatter(bounce);
         float first = Noise.fresh(path, place + 1, frame);
         float second = Noise.fresh(path, place + 2, frame);
@@ -221,7 +298,7 @@ public final class Lobes {
         if (matte == 0) {
             bend(path, glass);
         }
-        int crosses = glass & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
+        int crosses = glass & (path[Layout.IS_SHEET] > 1f ? 0 : 1);
         float inside = path[Layout.FROM_INSIDE];
         path[Layout.NEXT_INSIDE] = crosses != 0 ? Branch.crossed(inside > 0f ? 0 : 1) : inside;
         int spread = matte | (path[Layout.ROUGHNESS] > 0f ? 1 : 0);
@@ -233,7 +310,8 @@ public final class Lobes {
                     path,
                     path[Layout.NEXT_DIRECTION],
                     path[Layout.NEXT_DIRECTION + 1],
-                    path[Layout.NEXT_DIRECTION + 2]);
+                    path[Layout.NEXT_DIRECTION + 2],
+                    looks);
             int goesOn = (density > 0f ? 1 : 0) & isOnSide(path, glass);
             float inverse = goesOn != 0 ? 1f / density : 0f;
             path[Layout.SURFACE_DENSITY] = goesOn != 0 ? density : 0f;

@@ -2,7 +2,8 @@ package dev.twister.kernel;
 
 /**
  * The bodies that a path's ray is inside of, which take a part of its light (Beer's law): that which it has entered
- * last, and the one around that. A third one around both is forgotten. A body counts if its material transmits.
+ * last, and the one around that. A third one around both is forgotten. A body counts if its material transmits and is
+ * no thin sheet.
  */
 public final class Medium {
     /** {@code 1 / e}. */
@@ -66,7 +67,21 @@ public final class Medium {
     }
 
     /**
-     * Multiplies {@link Layout#SCATTERED} by what is left of an emitter's light at the surface that the path has met.
+     * The part of radiance in the medium that reaches the outside, {@code 1 / n^2}: rays spread where they leave it.
+     * The camera is outside, also where it is within a body.
+     */
+    static float spread(float[] path, float[] looks) {
+        float index = index((int) path[Layout.MEDIUM], looks) * index((int) path[Layout.OUTER_MEDIUM], looks);
+        return 1f / (index * index);
+    }
+
+    private static float index(int body, float[] looks) {
+        return body > Layout.NOTHING ? Math.max(looks[Layout.LOOK_STRIDE * body + Layout.LOOK_IOR], 1f) : 1f;
+    }
+
+    /**
+     * Multiplies {@link Layout#SCATTERED} by what is left of an emitter's light at the surface that the path has met,
+     * and outside.
      *
      * @param path with the direction in {@link Layout#TO_LIGHT}
      * @param crosses 1 if the way to the emitter is on the surface's other side, else 0
@@ -78,9 +93,10 @@ public final class Medium {
             cross(path, body, path[Layout.FROM_INSIDE] > 0f ? 0 : 1, looks);
         }
         float distance = path[Layout.LIGHT_DISTANCE];
-        path[Layout.SCATTERED] = path[Layout.SCATTERED] * passed(path, 0, distance, looks);
-        path[Layout.SCATTERED + 1] = path[Layout.SCATTERED + 1] * passed(path, 1, distance, looks);
-        path[Layout.SCATTERED + 2] = path[Layout.SCATTERED + 2] * passed(path, 2, distance, looks);
+        float spread = distance < Intersection.MISS ? spread(path, looks) : 1f;
+        path[Layout.SCATTERED] = path[Layout.SCATTERED] * passed(path, 0, distance, looks) * spread;
+        path[Layout.SCATTERED + 1] = path[Layout.SCATTERED + 1] * passed(path, 1, distance, looks) * spread;
+        path[Layout.SCATTERED + 2] = path[Layout.SCATTERED + 2] * passed(path, 2, distance, looks) * spread;
         path[Layout.MEDIUM] = medium;
         path[Layout.OUTER_MEDIUM] = outer;
     }
@@ -100,6 +116,7 @@ public final class Medium {
 
     private static void enter(float[] path, int body, float[] looks) {
         int counts = (looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0f ? 1 : 0)
+                & (looks[Layout.LOOK_STRIDE * body + Layout.LOOK_SHEET] > 0f ? 0 : 1)
                 & (body == (int) path[Layout.MEDIUM] ? 0 : 1);
         path[Layout.OUTER_MEDIUM] = counts != 0 ? path[Layout.MEDIUM] : path[Layout.OUTER_MEDIUM];
         path[Layout.MEDIUM] = counts != 0 ? body : path[Layout.MEDIUM];

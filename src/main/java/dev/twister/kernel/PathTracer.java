@@ -259,13 +259,19 @@ public final class PathTracer {
                 weight = weight(
                         path[Layout.SURFACE_DENSITY], Emitter.density(path, body, frame, bodies, looks, variant));
             }
-            for (int channel = 0; channel < 3; channel++) {
-                path[Layout.EMITTED + channel] = Emitter.emission(path, body, channel, looks, variant);
-            }
+            emit(path, body, looks, variant);
             weight = clamped(path, weight, bounce, frame);
             add(path, weight);
             LightLayers.add(path, scratch, body, weight, frame, looks, variant);
             Guides.shine(path, path[Layout.EMITTED], path[Layout.EMITTED + 1], path[Layout.EMITTED + 2], variant);
+        }
+    }
+
+    /** Writes the radiance of the emitter that the path has met, as it is outside of the path's medium. */
+    public static void emit(float[] path, int body, float[] looks, int variant) {
+        float spread = Medium.spread(path, looks);
+        for (int channel = 0; channel < 3; channel++) {
+            path[Layout.EMITTED + channel] = Emitter.emission(path, body, channel, looks, variant) * spread;
         }
     }
 
@@ -318,7 +324,7 @@ public final class PathTracer {
             float[] meshes,
             float[] images,
             int variant) {
-        Lobes.prepare(path, body, frame, variant);
+        Lobes.prepare(path, body, frame, looks, variant);
         int toEmitter = 0;
         if (Lobes.scatters(path) != 0) {
             Emitter.choose(path, bounce, frame, bodies, looks, meshes, images, variant);
@@ -326,7 +332,7 @@ public final class PathTracer {
                 toEmitter = direct(path, body, bounce, frame, looks);
             }
         }
-        Lobes.choose(path, bounce, frame);
+        Lobes.choose(path, bounce, frame, looks);
         if (path[Layout.NEXT_INSIDE] != path[Layout.FROM_INSIDE]) {
             Medium.cross(path, body, path[Layout.NEXT_INSIDE] > 0f ? 1 : 0, looks);
         }
@@ -369,8 +375,8 @@ public final class PathTracer {
      * {@link Layout#SCATTERED}; returns the density of {@link Lobes#evaluate}.
      */
     public static float evaluateToLight(float[] path, int body, float[] looks) {
-        float density =
-                Lobes.evaluate(path, path[Layout.TO_LIGHT], path[Layout.TO_LIGHT + 1], path[Layout.TO_LIGHT + 2]);
+        float density = Lobes.evaluate(
+                path, path[Layout.TO_LIGHT], path[Layout.TO_LIGHT + 1], path[Layout.TO_LIGHT + 2], looks);
         Medium.dim(path, body, crossesToLight(path), looks);
         return density;
     }
@@ -380,7 +386,7 @@ public final class PathTracer {
         float side = path[Layout.TO_LIGHT] * path[Layout.NORMAL]
                 + path[Layout.TO_LIGHT + 1] * path[Layout.NORMAL + 1]
                 + path[Layout.TO_LIGHT + 2] * path[Layout.NORMAL + 2];
-        return (side < 0f ? 1 : 0) & (path[Layout.IS_SHEET] > 0f ? 0 : 1);
+        return (side < 0f ? 1 : 0) & (path[Layout.IS_SHEET] > 1f ? 0 : 1);
     }
 
     /** Writes the light that the chosen emitter adds unless it is blocked; 1 if that is any. */

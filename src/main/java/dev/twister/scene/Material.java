@@ -25,6 +25,7 @@ import java.util.Set;
  * @param transmission t in [0, 1]: how much of the light that is not mirrored passes the surface
  * @param ior index of refraction against what is around the body, in [1, 4]
  * @param specular factor of what it reflects by its index of refraction, in [0, 1], in path tracing
+ * @param thinWalled whether its surface is a thin sheet: what passes goes straight on, and nothing is inside
  * @param texture a picture that the color is multiplied by, already resolved against the scene file's folder
  * @param emission light that it emits
  * @param attenuation what light loses inside
@@ -42,6 +43,7 @@ public record Material(
         double transmission,
         double ior,
         double specular,
+        boolean thinWalled,
         Optional<Path> texture,
         Emission emission,
         Attenuation attenuation,
@@ -62,6 +64,7 @@ public record Material(
             0,
             1.5,
             1,
+            false,
             Optional.empty(),
             Emission.NONE,
             Attenuation.NONE,

@@ -50,12 +50,16 @@ public record Bodies(
     public boolean absorb() {
         boolean absorb = false;
         for (int body = Layout.FIRST_SPHERE; body < end && !plain() && !absorb; body++) {
-            int look = Layout.LOOK_STRIDE * body;
-            int absorption = look + Layout.LOOK_ABSORPTION;
-            absorb = looks[look + Layout.LOOK_TRANSMISSION] > 0
-                    && looks[absorption] + looks[absorption + 1] + looks[absorption + 2] > 0;
+            int absorption = Layout.LOOK_STRIDE * body + Layout.LOOK_ABSORPTION;
+            absorb = isMedium(body) && looks[absorption] + looks[absorption + 1] + looks[absorption + 2] > 0;
         }
         return absorb;
+    }
+
+    /** Whether a body transmits light and has an inside. */
+    public boolean isMedium(int body) {
+        int look = Layout.LOOK_STRIDE * body;
+        return looks[look + Layout.LOOK_TRANSMISSION] > 0 && looks[look + Layout.LOOK_SHEET] == 0;
     }
 
     /** Place of the first sphere of the spheres' hierarchy. */

@@ -18,11 +18,11 @@ final class CameraMedia {
     static void write(float[] frame, Bodies bodies, int present) {
         int inner = Layout.NOTHING;
         int outer = Layout.NOTHING;
-        if (bodies.absorb()) {
+        if (!bodies.plain()) {
             for (int body = Layout.FIRST_SPHERE; body < bodies.end(); body++) {
                 boolean isSphere = body < present;
                 boolean isMesh = bodies.firstMesh() != Layout.NO_MESHES && body >= bodies.firstMesh();
-                if ((isSphere || isMesh) && transmits(bodies, body) && holds(bodies, body, isMesh, frame)) {
+                if ((isSphere || isMesh) && bodies.isMedium(body) && holds(bodies, body, isMesh, frame)) {
                     boolean smallest = isSmaller(bodies, body, inner);
                     outer = smallest ? inner : isSmaller(bodies, body, outer) ? body : outer;
                     inner = smallest ? body : inner;
@@ -31,10 +31,6 @@ final class CameraMedia {
         }
         frame[Layout.CAMERA_MEDIUM] = inner;
         frame[Layout.CAMERA_OUTER_MEDIUM] = outer;
-    }
-
-    private static boolean transmits(Bodies bodies, int body) {
-        return bodies.looks()[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
     }
 
     private static boolean isSmaller(Bodies bodies, int body, int other) {

@@ -3,11 +3,25 @@ package dev.twister.kernel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.scene.Ground;
+import dev.twister.scene.Light;
+import dev.twister.scene.Material;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.scene.light.Lights;
+import dev.twister.sky.Skybox;
+import dev.twister.world.SceneImages;
+import dev.twister.world.table.LookTable;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Lobes of path tracing: chosen directions follow the density, and no lobe adds energy. */
@@ -19,6 +33,7 @@ class LobesTest {
     private static final int BOUNCE = 10;
 
     private final float[] frame = new float[Layout.DISC];
+    private float[] looks = {};
     private final float[] path = new float[Layout.TRACED_PATH_LENGTH];
 
     /**
@@ -50,6 +65,24 @@ class LobesTest {
                 .map(Arguments::of);
     }
 
+    private final Map<Float, float[]> looksOfIndices = new HashMap<>();
+
+    /** Looks with the tables of an index of refraction. */
+    private float[] looks(float ior) {
+        return looksOfIndices.computeIfAbsent(ior, index -> {
+            Material material = Material.DEFAULT.withRoughness(0.5).withIor(Math.max(1, index));
+            LookTable table = new LookTable();
+            table.put(
+                    Lights.of(Light.of(new Vector3(0, 9, 0), 1, new Rgb(1, 1, 1))),
+                    Ground.of(1, 0, new Rgb(0, 0, 0), new Rgb(0, 0, 0), 0),
+                    List.of(Sphere.of(new Vector3(0, 0, 0), 1, material)),
+                    List.of(),
+                    new float[0],
+                    SceneImages.of(new Skybox(1, 1, new float[] {1, 1, 1})));
+            return table.looks();
+        });
+    }
+
     @ParameterizedTest
     @MethodSource("surfaces")
     void chosenDirectionsFollowTheDensity(Surfaces surface) {
@@ -61,8 +94,8 @@ class LobesTest {
             double z = 2 * random.nextDouble() - 1;
             double turn = 2 * Math.PI * random.nextDouble();
             double level = Math.sqrt(1 - z * z);
-            density +=
-                    Lobes.evaluate(path, (float) (level * Math.cos(turn)), (float) (level * Math.sin(turn)), (float) z);
+            density += Lobes.evaluate(
+                    path, (float) (level * Math.cos(turn)), (float) (level * Math.sin(turn)), (float) z, looks);
             for (int channel = 0; channel < 3; channel++) {
                 scattered[channel] += path[Layout.SCATTERED + channel];
             }
@@ -107,25 +140,56 @@ class LobesTest {
     void densityIsTheSameInBothDirections() {
         Surfaces coated = new Surfaces(0, 0.5f, 0, 1.5f, -1.5f, 0, 0.6f);
         start(coated, 0.8f);
-        Lobes.evaluate(path, 0.48f, 0.64f, 0.6f);
+        Lobes.evaluate(path, 0.48f, 0.64f, 0.6f, looks);
         float there = path[Layout.SCATTERED] / 0.6f;
         start(new Surfaces(0, 0.5f, 0, 1.5f, -1.5f, 0, 0.6f), 0.8f);
         path[Layout.DIRECTION] = -0.48f;
         path[Layout.DIRECTION + 1] = -0.64f;
         path[Layout.DIRECTION + 2] = -0.6f;
-        Lobes.prepare(path, BODY, frame, Variant.MATERIALS);
-        Lobes.evaluate(path, -0.8f, 0, 0.6f);
+        Lobes.prepare(path, BODY, frame, looks, Variant.MATERIALS);
+        Lobes.evaluate(path, -0.8f, 0, 0.6f, looks);
         assertThat(path[Layout.SCATTERED] / 0.6f).isCloseTo(there, within(1e-4f * there));
+    }
+
+    /** By Fresnel's equations white is white: of every roughness and mixture, from outside and from inside. */
+    @ParameterizedTest
+    @CsvSource({"1.1, 0.05", "1.1, 0.4", "1.1, 1", "1.5, 0.2", "1.5, 0.6", "1.5, 1", "2.4, 0.3", "2.4, 0.85"})
+    void whiteStaysWhite(float ior, float roughness) {
+        for (float metallic : new float[] {0, 0.5f, 1}) {
+            for (float transmission : new float[] {0, 0.5f, 1}) {
+                for (float cosine : new float[] {0.15f, 0.5f, 1}) {
+                    for (int inside = 0; inside <= (transmission > 0 ? 1 : 0); inside++) {
+                        requireWhite(new Surfaces(0, roughness, transmission, ior, -1 - metallic, inside, cosine));
+                    }
+                }
+            }
+        }
+    }
+
+    private void requireWhite(Surfaces surface) {
+        int count = 8000;
+        double sum = 0;
+        double squares = 0;
+        for (int i = 0; i < count; i++) {
+            choose(surface, 1, i);
+            double weight = path[Layout.THROUGHPUT];
+            sum += weight;
+            squares += weight * weight;
+        }
+        double mean = sum / count;
+        double error = Math.sqrt(Math.max(0, squares / count - mean * mean) / count);
+        assertThat(mean).as(surface.toString()).isCloseTo(1, within(0.005 + 3 * error));
     }
 
     private void choose(Surfaces surface, float albedo, int number) {
         start(surface, albedo);
         frame[Layout.FIRST_SAMPLE] = number;
-        Lobes.choose(path, BOUNCE, frame);
+        Lobes.choose(path, BOUNCE, frame, looks);
     }
 
     /** A ray in the plane y = 0 that meets a surface with the normal (0, 0, 1). */
     private void start(Surfaces surface, float albedo) {
+        looks = looks(surface.ior());
         path[Layout.METALLIC] = surface.metallic() < 0 ? -1 - surface.metallic() : surface.metallic();
         path[Layout.IS_FRESNEL] = surface.metallic() < 0 ? 1 : 0;
         path[Layout.PIXEL_SAMPLE] = frame[Layout.SAMPLES];
@@ -141,9 +205,9 @@ class LobesTest {
         path[Layout.IOR] = surface.ior();
         path[Layout.FROM_INSIDE] = surface.inside();
         for (int channel = 0; channel < 3; channel++) {
-            path[Layout.ALBEDO + channel] = albedo / (1 + channel * 0.5f);
+            path[Layout.ALBEDO + channel] = albedo < 1 ? albedo / (1 + channel * 0.5f) : albedo;
             path[Layout.THROUGHPUT + channel] = 1;
         }
-        Lobes.prepare(path, BODY, frame, Variant.MATERIALS);
+        Lobes.prepare(path, BODY, frame, looks, Variant.MATERIALS);
     }
 }

@@ -1,6 +1,8 @@
 package dev.twister.oracle;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 
@@ -17,6 +19,7 @@ final class BruteForce {
     private final OracleSky sky;
     private final int bounceLimit;
     private final Random random;
+    private final Map<List<Double>, Energy> energies = new HashMap<>();
 
     /**
      * @param bodies with the lights' radiance as emission
@@ -56,7 +59,7 @@ final class BruteForce {
             media = media.at(body, fromInside);
             throughput = throughput.times(media.passed(distance));
             if (body.emits(ray, fromInside)) {
-                found = found.plus(throughput.times(material.emission()));
+                found = found.plus(throughput.times(material.emission()).times(media.spread()));
             }
             if (lights.contains(body) || bounce > bounceLimit) {
                 return found;
@@ -79,7 +82,9 @@ final class BruteForce {
     private Scattered scatter(
             Body body, OracleMaterial material, Color albedo, Vector direction, Vector normal, boolean fromInside) {
         Vector toViewer = direction.times(-1);
-        double ratio = fromInside ? material.ior() : 1 / material.ior();
+        boolean within = fromInside && !material.thin();
+        boolean isSheet = body instanceof PlaneBody || material.thin();
+        double ratio = within ? material.ior() : 1 / material.ior();
         boolean rough = material.roughness() > 0;
         RoughSurface facets = RoughSurface.of(material.roughness());
         Vector facet = rough ? facets.facet(normal, toViewer, random.nextDouble(), random.nextDouble()) : normal;
@@ -91,8 +96,15 @@ final class BruteForce {
                 : material.besideMetal()
                         ? material.metallic() + (1 - material.metallic()) * mirror
                         : material.reflectivity() / PERFECT_MIRROR;
-        double glassy = (1 - constant) * material.transmission();
-        double coat = byFresnel ? 1 - constant : glassy;
+        Energy energy = byFresnel ? energy(material, within) : null;
+        double whole = 1;
+        if (byFresnel && rough) {
+            RoughAlbedo all = isSheet ? energy.mirror() : energy.glass();
+            whole = 1 / all.of(toViewer.dot(normal));
+        }
+        double glassy = (1 - constant) * material.transmission() * whole;
+        double coats = within ? 0 : 1 - material.transmission();
+        double coat = byFresnel ? (1 - constant) * coats + glassy : glassy;
         double fresnel = coat > 0 ? Fresnel.reflectance(cosine, ratio) : 0;
         Color metal = byFresnel ? schlick(albedo, cosine) : material.tint(albedo);
         Color reflection = material.besideMetal()
@@ -101,7 +113,9 @@ final class BruteForce {
         Color mirrored = reflection.plus(ONE.times(coat * fresnel));
         Color passed = albedo.times(glassy * (1 - fresnel));
         Color matte = albedo.times((1 - constant) * (1 - material.transmission()));
-        double sum = mirrored.strongest() + passed.strongest() + matte.strongest();
+        Color again = byFresnel ? energy.again(albedo).times(constant) : Color.BLACK;
+        double diffuse = matte.strongest() + again.strongest();
+        double sum = mirrored.strongest() + passed.strongest() + diffuse;
         double choice = random.nextDouble() * sum;
         Vector reflected = direction.plus(facet.times(2 * cosine)).normalized();
         if (choice < mirrored.strongest()) {
@@ -109,20 +123,49 @@ final class BruteForce {
             return new Scattered(reflected, mirrored.times(weight * sum / mirrored.strongest()), fromInside);
         }
         if (choice < mirrored.strongest() + passed.strongest()) {
-            boolean isSheet = body instanceof PlaneBody;
             Vector out = isSheet
                     ? reflected.minus(normal.times(2 * reflected.dot(normal)))
                     : Fresnel.refracted(direction, facet, ratio).normalized();
             double weight = rough ? facets.weight(toViewer.dot(normal), -out.dot(normal)) : 1;
-            boolean inside = isSheet ? fromInside : !fromInside;
+            boolean inside = body instanceof PlaneBody ? fromInside : !fromInside;
             return new Scattered(out, passed.times(weight * sum / passed.strongest()), inside);
         }
         Vector out = cosineDistributed(normal);
-        double coated = byFresnel
-                ? (1 - Fresnel.reflectance(toViewer.dot(normal), ratio))
-                        * (1 - Fresnel.reflectance(out.dot(normal), ratio))
-                : 1;
-        return new Scattered(out, matte.times(coated * sum / matte.strongest()), fromInside);
+        if (byFresnel) {
+            double in = toViewer.dot(normal);
+            matte = within ? matte : matte.times(left(energy.coat(), in, out.dot(normal)));
+            again = again.times(left(energy.mirror(), in, out.dot(normal)));
+        }
+        return new Scattered(out, matte.plus(again).times(sum / diffuse), fromInside);
+    }
+
+    /** What is left beside a reflection, in both directions: without loss, and reciprocal. */
+    private static double left(RoughAlbedo reflected, double cosineIn, double cosineOut) {
+        return (1 - reflected.of(cosineIn)) * (1 - reflected.of(cosineOut)) / Math.max(1e-9, 1 - reflected.mean());
+    }
+
+    private Energy energy(OracleMaterial material, boolean fromInside) {
+        double ratio = fromInside ? material.ior() : 1 / material.ior();
+        return energies.computeIfAbsent(
+                List.of(material.roughness(), ratio),
+                _ -> new Energy(
+                        RoughAlbedo.ofMirror(material.roughness()),
+                        RoughAlbedo.ofCoat(material.roughness(), ratio),
+                        RoughAlbedo.ofGlass(material.roughness(), ratio)));
+    }
+
+    /** What a rough surface scatters once. */
+    private record Energy(RoughAlbedo mirror, RoughAlbedo coat, RoughAlbedo glass) {
+        /** The color of what a metal scatters more than once (Kulla and Conty 2017). */
+        Color again(Color albedo) {
+            return new Color(again(albedo.red()), again(albedo.green()), again(albedo.blue()));
+        }
+
+        private double again(double albedo) {
+            // Schlick's term in the mean.
+            double reflected = albedo + (1 - albedo) / 21;
+            return reflected * reflected * mirror.mean() / (1 - reflected * (1 - mirror.mean()));
+        }
     }
 
     private static Color schlick(Color albedo, double cosine) {

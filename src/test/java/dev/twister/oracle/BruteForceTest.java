@@ -68,6 +68,10 @@ class BruteForceTest {
                 Arguments.of("frosted glass", GLASS.withRoughness(0.6).withReflectivity(1)),
                 Arguments.of(
                         "frosted glass by Fresnel", GLASS.withRoughness(0.6).withIor(2)),
+                Arguments.of("a bubble", GLASS.withThinWalled(true)),
+                Arguments.of(
+                        "a frosted bubble",
+                        GLASS.withThinWalled(true).withRoughness(0.5).withTransmission(0.7)),
                 Arguments.of("amber", GLASS.withAttenuation(new Attenuation(new Rgb(0.9, 0.6, 0.2), Optional.of(0.7)))),
                 Arguments.of("a lamp", WHITE.withEmission(new Emission(new Rgb(1, 2, 3), 0.5, true, LightGroup.NONE))));
     }
@@ -97,6 +101,19 @@ class BruteForceTest {
                         Light.of(new Vector3(1.2, 0.5, -1), 0.4, new Rgb(0.9, 0.1, 0.2))
                                 .withStrength(2.0)));
         requireMeans("three lights", new LitScene(lit.scene().withLights(lights), lit.images(), lit.meshes()));
+    }
+
+    /** Rays spread where they leave a denser body. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.4})
+    void aLampInsideGlassLightsWhatIsAround(double roughness) {
+        LitScene lit = scene(GLASS.withRoughness(roughness));
+        List<Sphere> spheres = new ArrayList<>(lit.scene().spheres());
+        spheres.add(Sphere.of(
+                new Vector3(0, 1, 0),
+                0.3,
+                WHITE.withEmission(new Emission(new Rgb(4, 5, 6), 1, true, LightGroup.NONE))));
+        requireMeans("a lamp in glass", new LitScene(lit.scene().withSpheres(spheres), lit.images(), lit.meshes()));
     }
 
     /** A large sun is found by rays that leave surfaces at random, too. */

@@ -16,6 +16,7 @@ import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.light.Lights;
+import dev.twister.scene.material.Emission;
 import dev.twister.sky.Skybox;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -107,21 +108,53 @@ class FurnaceTest {
                 .withTransmission(transmission)
                 .withSpecular(specular);
 
-        double mean = 0;
-        float[] radiance = traced(white);
-        for (float channel : radiance) {
-            mean += channel / radiance.length;
-        }
-        assertThat(mean).isBetween(specular == 0 && transmission == 0 ? 0.995 : 0.88, 1.005);
+        assertThat(mean(traced(white))).isCloseTo(1, within(0.005));
     }
 
-    /** Traces paths to a sphere that fills the picture, under a white sky. */
+    @ParameterizedTest
+    @CsvSource({"0, 0.1, 0", "0, 1, 0", "0.5, 0.5, 0", "1, 0.6, 0", "1, 1, 0", "0, 0.2, 1", "0, 0.7, 0.5"})
+    void whatIsWhiteByFresnelStaysWhite(double metallic, double roughness, double transmission) {
+        Material white =
+                Material.DEFAULT.withMetallic(metallic).withRoughness(roughness).withTransmission(transmission);
+
+        assertThat(mean(traced(white))).isCloseTo(1, within(0.005));
+    }
+
+    private static double mean(float[] radiance) {
+        double sum = 0;
+        for (float channel : radiance) {
+            sum += channel;
+        }
+        return sum / radiance.length;
+    }
+
+    /** The rays from a lamp spread where they leave the glass around it, so that it appears larger and darker. */
+    @Test
+    void aLampInGlassLosesRadianceByTheSquareOfTheIndex() {
+        Material lamp = Material.DEFAULT
+                .withColor(BLACK)
+                .withEmission(Emission.NONE.withColor(WHITE).withStrength(90));
+        List<Sphere> ball =
+                List.of(Sphere.of(new Vector3(0, 5, 0), 1, GLASS), Sphere.of(new Vector3(0, 5, 0), 0.5, lamp));
+
+        float[] radiance = traced(ball, 2);
+
+        // What passes of light along the normal.
+        double passed = 0.96;
+        assertThat(mean(radiance)).isCloseTo(90 * passed / (1.5 * 1.5) + 0.04, within(0.4));
+    }
+
+    /** Traces paths to spheres that fill the picture, under a white sky. */
     private static float[] traced(Material material) {
+        return traced(List.of(Sphere.of(new Vector3(0, 5, 0), 1, material)), 10);
+    }
+
+    private static float[] traced(List<Sphere> spheres, double fieldOfView) {
         Scene scene = Scene.under(Path.of("none.hdr"))
-                .withCamera(Camera.of(new Vector3(0, 5, -4), 0, 0, 10))
+                .withCamera(Camera.of(new Vector3(0, 5, -4), 0, 0, fieldOfView))
                 .withLights(Lights.of(Light.of(new Vector3(0, 50, 0), 0.1, BLACK)))
                 .withGround(Ground.of(1, -1e5, BLACK, BLACK, 0))
-                .withSpheres(List.of(Sphere.of(new Vector3(0, 5, 0), 1, material)))
+                .withSpheres(spheres)
                 .withRendering(Rendering.DEFAULT
                         .withSize(12, 12)
                         .withSamplesPerPixel(256)

@@ -121,6 +121,7 @@ record OracleMaps(
                 blends() ? 0 : rough,
                 blends() ? 1 - opacity : material.transmission(),
                 blends() ? 1 : material.ior(),
+                !blends() && material.thin(),
                 material.texture(),
                 unlit ? 0 : metal,
                 material.byFresnel(),

@@ -14,6 +14,7 @@ record OracleMaterial(
         double roughness,
         double transmission,
         double ior,
+        boolean thin,
         Optional<OracleTexture> texture,
         double metallic,
         boolean byFresnel,
@@ -30,6 +31,7 @@ record OracleMaterial(
                 material.roughness(),
                 material.transmission(),
                 material.ior(),
+                material.thinWalled(),
                 material.texture()
                         .map(file -> new OracleTexture(
                                 FloatImages.of(images.textureByFile().get(file)),
@@ -72,6 +74,7 @@ record OracleMaterial(
                 roughness,
                 transmission,
                 ior,
+                thin,
                 texture,
                 metallic,
                 byFresnel,

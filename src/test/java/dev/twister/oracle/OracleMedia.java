@@ -12,7 +12,7 @@ record OracleMedia(Body inner, Body outer) {
     static OracleMedia around(Vector camera, List<Body> bodies) {
         OracleMedia media = NONE;
         List<SphereBody> around = bodies.stream()
-                .filter(body -> body.material().transmits())
+                .filter(OracleMedia::isMedium)
                 .filter(SphereBody.class::isInstance)
                 .map(SphereBody.class::cast)
                 .filter(sphere -> sphere.center().minus(camera).length() < sphere.radius())
@@ -33,8 +33,12 @@ record OracleMedia(Body inner, Body outer) {
         return into ? enter(body) : leave(body);
     }
 
+    private static boolean isMedium(Body body) {
+        return body.material().transmits() && !body.material().thin();
+    }
+
     private OracleMedia enter(Body body) {
-        return isSame(body, inner) || !body.material().transmits() ? this : new OracleMedia(body, inner);
+        return isSame(body, inner) || !isMedium(body) ? this : new OracleMedia(body, inner);
     }
 
     private OracleMedia leave(Body body) {
@@ -47,6 +51,16 @@ record OracleMedia(Body inner, Body outer) {
     /** What is left of white light after a distance. */
     Color passed(double distance) {
         return inner == null ? new Color(1, 1, 1) : inner.material().passed(distance);
+    }
+
+    /** What a body's radiance inside is outside, where its rays are spread. */
+    double spread() {
+        double index = index(inner) * index(outer);
+        return 1 / (index * index);
+    }
+
+    private static double index(Body body) {
+        return body == null ? 1 : body.material().ior();
     }
 
     @SuppressWarnings("ReferenceEquality") // compares identity of bodies

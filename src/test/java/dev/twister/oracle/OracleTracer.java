@@ -239,20 +239,20 @@ final class OracleTracer {
         double passing = (1 - mirror) * transmission;
         Vector facet = facet(place, bounce, numbers);
         double cosine = Math.clamp(place.toViewer().dot(facet), 0, 1);
-        double ratio = place.fromInside() ? material.ior() : 1 / material.ior();
+        double ratio = place.fromInside() && !material.thin() ? material.ior() : 1 / material.ior();
         double reflectance = passing > 0 ? Fresnel.reflectance(cosine, ratio) : 0;
         Vector reflected = ray.direction().plus(facet.times(2 * cosine)).normalized();
         Color reflectedPart = tint.times((mirror * lit + passing * reflectance) * weight(place, reflected, 1));
         color = color.plus(
                 branch(place, reflected, place.fromInside(), media, reflectedPart, bounce, throughput, numbers));
         if (passing * (1 - reflectance) > 0) {
-            boolean isSheet = body instanceof PlaneBody;
+            boolean isSheet = body instanceof PlaneBody || material.thin();
             Vector passed = isSheet
                     ? reflected.minus(place.normal().times(2 * reflected.dot(place.normal())))
                     : Fresnel.refracted(ray.direction(), facet, ratio).normalized();
             Color passedPart =
                     body.passing(place.point()).times(passing * (1 - reflectance) * weight(place, passed, -1));
-            boolean isInside = !isSheet && !place.fromInside();
+            boolean isInside = !(body instanceof PlaneBody) && !place.fromInside();
             OracleMedia behind = isSheet ? media : media.cross(body, isInside);
             color = color.plus(branch(place, passed, isInside, behind, passedPart, bounce, throughput, numbers));
         }

@@ -88,10 +88,11 @@ public final class RandomMaterials {
     }
 
     private static Material tinted(Material plain, Random random) {
-        return switch (random.nextInt(4)) {
+        return switch (random.nextInt(5)) {
             case 0 -> plain.withMetallic(RandomScenes.extremeOr(random, 0, 1, random.nextDouble()));
             case 1 -> plain.withEmission(Emission.NONE.withColor(new Rgb(random.nextFloat(), random.nextFloat(), 0.5)));
-            case 2 ->
+            case 2 -> plain.withThinWalled(true);
+            case 3 ->
                 plain.withAttenuation(new Attenuation(
                         new Rgb(random.nextFloat(), 0.8, 1), Optional.of(RandomScenes.between(random, 0.2, 4))));
             default -> plain;

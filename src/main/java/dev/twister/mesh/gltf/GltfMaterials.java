@@ -151,7 +151,8 @@ final class GltfMaterials {
         GltfPlace volume = extensions.at("KHR_materials_volume");
         double[] color = volume.at("attenuationColor").numbersOr(1, 1, 1);
         double distance = volume.at("attenuationDistance").numberOr(0);
-        return material.withTransmission(
+        return material.withThinWalled(volume.at("thicknessFactor").numberOr(0) <= 0)
+                .withTransmission(
                         material.maps().metallic().isEmpty() ? transmission * (1 - material.metallic()) : transmission)
                 .withMaps(OptionalValue.with(
                         material.maps(), textures.map(place.at("transmissionTexture"), ""), Maps::withTransmission))

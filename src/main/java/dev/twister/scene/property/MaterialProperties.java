@@ -100,6 +100,15 @@ public final class MaterialProperties {
             .slide(SHARE)
             .only(Integrator.PATH);
 
+    private static final Property<Material, Boolean> THIN_WALLED = flag(
+                    "thinWalled", Material::thinWalled, Material::withThinWalled)
+            .since(4)
+            .means("whether the surface is a thin sheet: what passes goes straight on, and nothing is inside")
+            .row(
+                    "Thin-walled",
+                    "The surface is a thin sheet: what passes goes straight on, and nothing is inside.",
+                    "");
+
     public static final Property<Material, Rgb> EMISSION = color(
                     "emission", SceneLimits.RADIANCE, Emission::color, Emission::withColor)
             .within(Material::emission, Material::withEmission)
@@ -131,6 +140,7 @@ public final class MaterialProperties {
             TRANSMISSION,
             IOR,
             SPECULAR,
+            THIN_WALLED,
             EMISSION,
             EMISSION_STRENGTH,
             flag("doubleSided", Emission::doubleSided, Emission::withDoubleSided)

@@ -30,6 +30,7 @@ public final class LookTable {
     private BodyOrder numbers = BodyOrder.EMPTY;
     private int lightTable;
     private MapTexels texels = MapTexels.NONE;
+    private final AlbedoTables albedos = new AlbedoTables();
 
     /**
      * The looks of all bodies.
@@ -66,7 +67,7 @@ public final class LookTable {
         for (int index = 0; index < lights.count(); index++) {
             all[lightTable + index] = numbers.light(index);
         }
-        replace(all);
+        replace(albedos.appendTo(all, numbers.firstMesh() + meshes.size()));
     }
 
     /** Changes as many lights as there are; a light that only moves leaves the array as it is. */
@@ -175,6 +176,7 @@ public final class LookTable {
         looks[look + Layout.LOOK_FRESNEL] = fresnel ? 1 : beside ? -1 : 0;
         looks[look + Layout.LOOK_BESIDE_METAL] = beside ? (float) material.reflectivity() : 0;
         putEmission(looks, look, material.emission());
+        looks[look + Layout.LOOK_SHEET] = material.thinWalled() && transmission > 0 ? 1 : 0;
         material.attenuation().distance().ifPresent(distance -> putAbsorption(looks, look, material, distance));
         looks[look + Layout.LOOK_MAPS] = maps;
     }

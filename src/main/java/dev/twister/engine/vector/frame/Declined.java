@@ -128,7 +128,7 @@ public final class Declined {
         boolean glass = crowded || all.absorb();
         for (int body = 0; body < count; body++) {
             boolean transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
-            declined[body] = bodies.test(body) || (transmits && glass) || emits(body) || hasMaps(body);
+            declined[body] = bodies.test(body) || (transmits && glass) || isThin(body) || emits(body) || hasMaps(body);
             any |= declined[body];
             if (declined[body] && body >= Layout.FIRST_SPHERE) {
                 occluders.add(body);
@@ -137,11 +137,16 @@ public final class Declined {
         for (int body = Math.max(count, firstMesh); body < end; body++) {
             declined[body] = bodies.test(body)
                     || emits(body)
+                    || isThin(body)
                     || (looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0 && glass)
                     || hasMaps(body)
                     || isColoredOtherwise(body);
             any |= declined[body];
         }
+    }
+
+    private boolean isThin(int body) {
+        return looks[Layout.LOOK_STRIDE * body + Layout.LOOK_SHEET] > 0;
     }
 
     private boolean emits(int body) {

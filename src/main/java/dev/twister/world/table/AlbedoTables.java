@@ -1,0 +1,130 @@
+package dev.twister.world.table;
+
+import dev.twister.kernel.DirectionalAlbedo;
+import dev.twister.kernel.Layout;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.stream.IntStream;
+
+/** The tables of {@link DirectionalAlbedo} in {@code looks}, for the indices of refraction of a scene. */
+final class AlbedoTables {
+    /** Indices within half a step share a table; 1.5, glass, has its own. */
+    private static final double STEP = Math.log(1.01);
+
+    private static final double GLASS = 1.5;
+
+    /** Facets by which an albedo is integrated, a Fibonacci lattice. */
+    private static final int FACETS = 377;
+
+    private static final int LATTICE = 233;
+    private static final double LEAST_COSINE = 1e-4;
+
+    /** By the number of steps from glass. */
+    private final Map<Integer, float[]> computed = new HashMap<>();
+
+    /** Appends the tables that the bodies need, and writes their places into the bodies' looks. */
+    float[] appendTo(float[] looks, int bodies) {
+        Map<Integer, Integer> places = new HashMap<>();
+        float[] all = looks;
+        for (int look = 0; look < Layout.LOOK_STRIDE * bodies; look += Layout.LOOK_STRIDE) {
+            if (looks[look + Layout.LOOK_FRESNEL] > 0) {
+                int steps = (int) Math.round(Math.log(looks[look + Layout.LOOK_IOR] / GLASS) / STEP);
+                if (!places.containsKey(steps)) {
+                    float[] tables = computed.computeIfAbsent(steps, AlbedoTables::compute);
+                    places.put(steps, all.length);
+                    all = Arrays.copyOf(all, all.length + tables.length);
+                    System.arraycopy(tables, 0, all, all.length - tables.length, tables.length);
+                }
+                all[look + Layout.LOOK_ALBEDOS] = places.get(steps);
+            }
+        }
+        return all;
+    }
+
+    private static float[] compute(int steps) {
+        double ior = GLASS * Math.exp(steps * STEP);
+        float[] tables = new float[DirectionalAlbedo.TABLES * DirectionalAlbedo.TABLE_LENGTH];
+        int places = DirectionalAlbedo.COSINES * DirectionalAlbedo.ROUGHNESSES;
+        IntStream.range(0, places).parallel().forEach(place -> {
+            double root = place % DirectionalAlbedo.COSINES / (DirectionalAlbedo.COSINES - 1.0);
+            double roughness = place / DirectionalAlbedo.COSINES / (DirectionalAlbedo.ROUGHNESSES - 1.0);
+            double[] albedos = albedos(roughness * roughness, Math.max(root * root, LEAST_COSINE), ior);
+            for (int table = 0; table < DirectionalAlbedo.TABLES; table++) {
+                tables[table * DirectionalAlbedo.TABLE_LENGTH + place] = (float) albedos[table];
+            }
+        });
+        for (int table = 0; table < tables.length; table += DirectionalAlbedo.TABLE_LENGTH) {
+            for (int row = 0; row < DirectionalAlbedo.ROUGHNESSES; row++) {
+                tables[table + places + row] = mean(tables, table + row * DirectionalAlbedo.COSINES);
+            }
+        }
+        return tables;
+    }
+
+    /** The integral of a row, linear over the root u of the cosine, times 4 u^3 du. */
+    private static float mean(float[] tables, int row) {
+        double sum = 0;
+        for (int column = 0; column + 1 < DirectionalAlbedo.COSINES; column++) {
+            double from = column / (DirectionalAlbedo.COSINES - 1.0);
+            double to = (column + 1) / (DirectionalAlbedo.COSINES - 1.0);
+            double slope = (tables[row + column + 1] - tables[row + column]) / (to - from);
+            double start = tables[row + column] - slope * from;
+            sum += start * (Math.pow(to, 4) - Math.pow(from, 4)) + slope * 0.8 * (Math.pow(to, 5) - Math.pow(from, 5));
+        }
+        return (float) sum;
+    }
+
+    /** Sums over visible facets (Dupuy and Benyoub 2023), in the order of the tables. */
+    private static double[] albedos(double alpha, double cosine, double ior) {
+        double sine = Math.sqrt(1 - cosine * cosine);
+        double length = Math.hypot(alpha * sine, cosine);
+        double viewX = alpha * sine / length;
+        double viewZ = cosine / length;
+        double[] sums = new double[DirectionalAlbedo.TABLES];
+        for (int i = 0; i < FACETS; i++) {
+            double turn = Math.PI * (i * LATTICE % FACETS + 0.5) / FACETS;
+            double height = (i + 0.5) / FACETS;
+            double z = (1 - height) * (1 + viewZ) - viewZ;
+            double radius = Math.sqrt(Math.max(0, 1 - z * z));
+            double facetX = alpha * (viewX + radius * Math.cos(turn));
+            double facetY = alpha * radius * Math.sin(turn);
+            double facetZ = viewZ + z;
+            double scale = 1 / Math.sqrt(facetX * facetX + facetY * facetY + facetZ * facetZ);
+            double dot = (sine * facetX + cosine * facetZ) * scale;
+            double normal = facetZ * scale;
+            double reflected = weight(alpha, cosine, 2 * dot * normal - cosine);
+            sums[DirectionalAlbedo.MIRROR] += reflected;
+            for (int inside = 0; inside < 2; inside++) {
+                double ratio = inside == 0 ? 1 / ior : ior;
+                double squared = 1 - ratio * ratio * (1 - dot * dot);
+                double passed = Math.sqrt(Math.max(0, squared));
+                double fresnel = squared > 0 ? fresnel(dot, passed, ratio) : 1;
+                double out = ratio * (cosine - dot * normal) + passed * normal;
+                sums[DirectionalAlbedo.COAT] += inside == 0 ? fresnel * reflected : 0;
+                sums[DirectionalAlbedo.GLASS + inside] +=
+                        fresnel * reflected + (1 - fresnel) * weight(alpha, cosine, out);
+            }
+        }
+        for (int table = 0; table < sums.length; table++) {
+            sums[table] /= FACETS;
+        }
+        return sums;
+    }
+
+    private static double fresnel(double cosine, double passed, double ratio) {
+        double across = (ratio * cosine - passed) / (ratio * cosine + passed);
+        double along = (cosine - ratio * passed) / (cosine + ratio * passed);
+        return (across * across + along * along) / 2;
+    }
+
+    /** G2 / G1 of Smith's height-correlated masking and shadowing. */
+    private static double weight(double alpha, double cosineIn, double cosineOut) {
+        double in = 1 + lambda(alpha, cosineIn);
+        return cosineOut > 0 ? in / (in + lambda(alpha, cosineOut)) : 0;
+    }
+
+    private static double lambda(double alpha, double cosine) {
+        return (Math.sqrt(1 + alpha * alpha * (1 - cosine * cosine) / (cosine * cosine)) - 1) / 2;
+    }
+}
