@@ -2,6 +2,7 @@ package dev.twister.engine;
 
 import dev.twister.image.Frame;
 import dev.twister.image.FrameStop;
+import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Path;
 import dev.twister.kernel.PixelKernel;
@@ -64,6 +65,19 @@ public final class JvmKernel {
             SeveralLights.choose(path, light, bodies.floats(), bodies.looks());
         }
         return Path.visible(path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
+    }
+
+    /** The closest body that the {@link #path}'s ray meets: {@link Hit#find}. */
+    public int hit(FrameInput input) {
+        Bodies bodies = input.bodies();
+        return Hit.find(
+                path,
+                scratch,
+                input.view().frame(),
+                bodies.floats(),
+                bodies.looks(),
+                bodies.meshes(),
+                input.variant(false));
     }
 
     /** Follows the {@link #path} from a bounce on: {@link Path#follow}. */

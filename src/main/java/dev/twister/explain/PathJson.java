@@ -55,7 +55,7 @@ public final class PathJson {
             tree.put("throughput", rgb(step.throughput()));
             tree.put("body", step.body());
             names.find(step.body()).ifPresent(name -> tree.put("meets", name.tree()));
-            if (step.body() != Layout.NOTHING) {
+            if (step.distance() != 0) {
                 tree.put("distance", number(step.distance()));
             }
             step.shading().ifPresent(shading -> tree.put("surface", surface(shading)));
@@ -138,6 +138,9 @@ public final class PathJson {
         tree.put("toLight", vector(light.toLight()));
         tree.put("normalDotLight", number(light.normalDotLight()));
         tree.put("visible", number(light.visible()));
+        if (light.cone() != 1) {
+            tree.put("cone", number(light.cone()));
+        }
         if (light.share() != 1) {
             tree.put("share", number(light.share()));
         }

@@ -8,7 +8,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * A ray of a pixel's path, and what it meets.
+ * A ray of a pixel's path, and what it meets. A ray that passes the discs of suns has a step for each, and one for the
+ * sky behind them.
  *
  * @param parent the index of the step whose surface it leaves; {@link #NO_PARENT} for the view ray
  * @param bounce how many surfaces the path has left before, 0 for the view ray
@@ -18,7 +19,7 @@ import java.util.Optional;
  * @param throughput what part of the radiance it finds reaches the pixel
  * @param body what it meets, as view {@code body} numbers it: {@link Layout#NOTHING} is the sky, {@link Layout#LIGHT}
  *     the first light, {@link Layout#PLANE} the plane, spheres follow
- * @param distance in meters; 0 where it meets nothing
+ * @param distance in meters; 0 where it meets the sky or a sun
  * @param shading of the surface it meets; none for a light and the sky, and in path tracing
  * @param light found in path tracing
  * @param scattering at the surface in path tracing
@@ -99,8 +100,9 @@ public record PathStep(
      * @param toLight L, a unit vector to the light's center
      * @param normalDotLight N.L
      * @param visible S in [0, 1]; 1 where it changes nothing, and there are no shadow rays
+     * @param cone the part of a spot's light that goes to the point, in [0, 1]; 1 for other lights
      * @param share k
-     * @param specular spec, with S in it
+     * @param specular spec, with S and cone in it
      * @param shadowRays as many as the picture has shadow samples, or none
      */
     public record LightPart(
@@ -108,12 +110,13 @@ public record PathStep(
             Vector3 toLight,
             double normalDotLight,
             double visible,
+            double cone,
             double share,
             double specular,
             List<LightSample> shadowRays) {
-        /** The light's part of lit: {@code k max(0, N.L) S}. */
+        /** The light's part of lit: {@code k max(0, N.L) S}, for a spot times the cone. */
         public double lit() {
-            return share * Math.max(0, normalDotLight) * visible;
+            return share * Math.max(0, normalDotLight) * visible * cone;
         }
     }
 

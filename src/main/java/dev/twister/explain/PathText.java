@@ -118,11 +118,12 @@ public final class PathText {
     private static String light(PixelPath path, int step, LightPart light) {
         return String.format(
                 Locale.ROOT,
-                "step %d, light %d: N.L %s, S %s, k %s, adds %s to lit, spec %s; %s%n",
+                "step %d, light %d: N.L %s, S %s%s, k %s, adds %s to lit, spec %s; %s%n",
                 step,
                 light.light() + 1,
                 TextTable.number("%.4f", light.normalDotLight()),
                 TextTable.number("%.4f", light.visible()),
+                light.cone() == 1 ? "" : ", cone " + TextTable.number("%.4f", light.cone()),
                 TextTable.number("%.4g", light.share()),
                 TextTable.number("%.4f", light.lit()),
                 TextTable.number("%.4f", light.specular()),

@@ -77,7 +77,7 @@ public record PixelPath(
             case Layout.NOTHING -> "sky";
             case Layout.LIGHT -> "light";
             case Layout.PLANE -> "plane";
-            default -> light > 0 ? "light " + (light + 1) : "body " + body;
+            default -> light < 0 ? "body " + body : light == 0 ? "light" : "light " + (light + 1);
         };
     }
 

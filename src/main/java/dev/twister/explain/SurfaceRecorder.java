@@ -51,22 +51,23 @@ final class SurfaceRecorder {
         float[] frame = input.view().frame();
         Bodies bodies = input.bodies();
         float visible = Path.visible(
-                        path,
-                        body,
-                        scratch,
-                        frame,
-                        bodies.floats(),
-                        bodies.looks(),
-                        bodies.meshes(),
-                        input.variant(false))
-                * SpotEmitter.part(path, Layout.TO_LIGHT, input.light(light), bodies.looks());
+                path,
+                body,
+                scratch,
+                frame,
+                bodies.floats(),
+                bodies.looks(),
+                bodies.meshes(),
+                input.variant(false));
+        float cone = SpotEmitter.part(path, Layout.TO_LIGHT, input.light(light), bodies.looks());
         return new LightPart(
                 light,
                 Floats.vector(path, Layout.TO_LIGHT),
                 path[Layout.NORMAL_DOT_LIGHT],
                 visible,
+                cone,
                 bodies.looks()[Layout.LOOK_STRIDE * input.light(light) + Layout.LOOK_SHARE],
-                Illumination.highlight(path, visible),
+                Illumination.highlight(path, visible * cone),
                 shadowRays(input.light(light)));
     }
 
@@ -100,7 +101,8 @@ final class SurfaceRecorder {
     private float lit(float ambient) {
         float sum = 0;
         for (LightPart light : lights) {
-            sum += (float) light.share() * Math.max(0, (float) light.normalDotLight()) * (float) light.visible();
+            float reaching = (float) light.visible() * (float) light.cone();
+            sum += (float) light.share() * Math.max(0, (float) light.normalDotLight()) * reaching;
         }
         return Math.max(sum, ambient);
     }

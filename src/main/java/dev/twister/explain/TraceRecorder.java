@@ -76,6 +76,7 @@ final class TraceRecorder {
             if (toEmitter) {
                 steps.add(toEmitter(before, bounce, new Source(surface, RayKind.EMITTER)));
             } else {
+                addSuns(before, bounce, source);
                 PathStep met = toSurface(before, bounce, source);
                 surface = steps.size();
                 source = met.scattering()
@@ -106,32 +107,66 @@ final class TraceRecorder {
         boolean scatters = body > Layout.LIGHT && !input.isLight(body) && bounce <= (int) frame[Layout.BOUNCES];
         Optional<Scattering> scattering =
                 scatters ? Optional.of(scattering(ray.clone(), body, bounce)) : Optional.empty();
-        return step(source, bounce, ray, throughput, body, light, scattering);
+        float[] skyAlone = frame.clone();
+        skyAlone[Layout.SUNS] = 0;
+        Rgb adds = body == Layout.NOTHING ? added(ray, bounce, skyAlone) : Floats.rgb(path, Layout.RADIANCE);
+        return step(source, bounce, ray, throughput, body, light, scattering, adds);
     }
 
-    /** The light of the emitter, the sky or a sun before it that the ray has met. */
+    /** Adds a step for each sun that a ray to the sky passes. */
+    private void addSuns(float[] ray, int bounce, Source source) {
+        int suns = Hit.find(ray, scratch, frame, bodies, looks, meshes, variant) == Layout.NOTHING
+                ? (int) frame[Layout.SUNS]
+                : 0;
+        for (int sun = 0; sun < suns; sun++) {
+            int emitter = SunEmitter.first(frame) + Layout.EMITTER_STRIDE * sun;
+            int body = (int) looks[emitter + Layout.EMITTER_BODY];
+            if (SunEmitter.isMet(ray, body, looks) != 0) {
+                int emission = Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION;
+                FoundLight light = light(looks, emission, ray, SunEmitter.density(emitter, looks));
+                float[] alone = frame.clone();
+                alone[Layout.SUNS] = 1;
+                alone[Layout.EMITTERS] = frame[Layout.EMITTERS] - frame[Layout.SUNS] + sun + 1;
+                alone[Layout.SKY_STRENGTH] = 0;
+                Rgb throughput = Floats.rgb(ray, Layout.THROUGHPUT);
+                steps.add(step(
+                        source,
+                        bounce,
+                        ray,
+                        throughput,
+                        body,
+                        Optional.of(light),
+                        Optional.empty(),
+                        added(ray, bounce, alone)));
+            }
+        }
+    }
+
+    /**
+     * What a ray that meets no body adds.
+     *
+     * @param far the frame's values with some of the suns, or without sky
+     */
+    private Rgb added(float[] ray, int bounce, float[] far) {
+        float[] copy = ray.clone();
+        for (int channel = 0; channel < CHANNELS; channel++) {
+            copy[Layout.RADIANCE + channel] = 0;
+        }
+        PathTracer.arrive(copy, Layout.NOTHING, bounce, scratch, far, bodies, looks, meshes, input.images(), variant);
+        return Floats.rgb(copy, Layout.RADIANCE);
+    }
+
+    /** The light of the emitter or the sky that the ray has met. */
     private Optional<FoundLight> metLight(float[] ray, int body) {
         if (body == Layout.NOTHING) {
-            return Optional.of(farLight(ray));
+            SkyLookup.write(ray, Layout.DIRECTION, Layout.EMITTED, frame, input.images());
+            return Optional.of(light(ray, Layout.EMITTED, ray, Emitter.skyDensity(ray, frame, looks, input.images())));
         }
         if (Emitter.shines(ray, body, frame, looks, variant) == 0) {
             return Optional.empty();
         }
         PathTracer.emit(ray, body, looks, variant);
         return Optional.of(light(ray, Layout.EMITTED, ray, Emitter.density(ray, body, frame, bodies, looks, variant)));
-    }
-
-    private FoundLight farLight(float[] ray) {
-        for (int sun = 0; sun < (int) frame[Layout.SUNS]; sun++) {
-            int emitter = SunEmitter.first(frame) + Layout.EMITTER_STRIDE * sun;
-            int body = (int) looks[emitter + Layout.EMITTER_BODY];
-            if (SunEmitter.isMet(ray, body, looks) != 0) {
-                int emission = Layout.LOOK_STRIDE * body + Layout.LOOK_EMISSION;
-                return light(looks, emission, ray, SunEmitter.density(emitter, looks));
-            }
-        }
-        SkyLookup.write(ray, Layout.DIRECTION, Layout.EMITTED, frame, input.images());
-        return light(ray, Layout.EMITTED, ray, Emitter.skyDensity(ray, frame, looks, input.images()));
     }
 
     private static FoundLight light(float[] array, int radiance, float[] ray, float emitterDensity) {
@@ -218,7 +253,8 @@ final class TraceRecorder {
                 directThroughput,
                 blocker == Layout.NOTHING ? directBody : blocker,
                 Optional.of(direct),
-                Optional.empty());
+                Optional.empty(),
+                Floats.rgb(path, Layout.RADIANCE));
     }
 
     private PathStep step(
@@ -228,7 +264,9 @@ final class TraceRecorder {
             Rgb throughput,
             int body,
             Optional<FoundLight> light,
-            Optional<Scattering> scattering) {
+            Optional<Scattering> scattering,
+            Rgb adds) {
+        boolean isFar = body == Layout.NOTHING || input.isSun(body);
         return new PathStep(
                 source.parent(),
                 source.kind(),
@@ -238,10 +276,10 @@ final class TraceRecorder {
                 ray[Layout.INSIDE] > 0,
                 throughput,
                 body,
-                body == Layout.NOTHING ? 0 : ray[Layout.DISTANCE],
+                isFar ? 0 : ray[Layout.DISTANCE],
                 Optional.empty(),
                 light,
                 scattering,
-                Floats.rgb(path, Layout.RADIANCE));
+                adds);
     }
 }

@@ -5,7 +5,6 @@ import dev.twister.explain.PathStep.RayKind;
 import dev.twister.explain.PathStep.Scattering;
 import dev.twister.explain.PathStep.Scattering.EmitterChoice;
 import dev.twister.explain.PathStep.Scattering.LobeChoice;
-import dev.twister.kernel.Layout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -65,7 +64,7 @@ final class TracedText {
                 step.parent() == PathStep.NO_PARENT ? "-" : Integer.toString(step.parent()),
                 step.kind().id(),
                 path.bodyName(step.body()),
-                step.body() == Layout.NOTHING ? "-" : TextTable.number("%.3f m", step.distance()),
+                step.distance() == 0 ? "-" : TextTable.number("%.3f m", step.distance()),
                 light.map(found -> density(found.surfaceDensity())).orElse("-"),
                 light.map(found -> density(found.emitterDensity())).orElse("-"),
                 light.map(found -> TextTable.number("%.4f", found.weight())).orElse("-"),

@@ -93,7 +93,10 @@ public final class Hit {
         return distance;
     }
 
-    /** Distance to a sphere given by center and radius in an array. Transmitting spheres are also hit from inside. */
+    /**
+     * Distance to a sphere given by center and radius in an array. Transmitting spheres are also hit from inside; a ray
+     * against which a spot emits nothing does not hit it.
+     */
     private static float sphere(
             float[] path, int at, int body, float[] frame, float[] bodies, float[] looks, int variant) {
         float x = bodies[at] - path[Layout.ORIGIN];
@@ -109,6 +112,11 @@ public final class Hit {
             int transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0f ? 1 : 0;
             if ((transmits & (own | (distance == Intersection.MISS ? 1 : 0))) != 0) {
                 distance = Intersection.sphereFromInside(x, y, z, radius, directionX, directionY, directionZ);
+            }
+        }
+        if ((variant & Variant.LIGHTS) != 0) {
+            if (distance < Intersection.MISS) {
+                distance = SpotEmitter.isDark(path, body, looks) != 0 ? Intersection.MISS : distance;
             }
         }
         if ((variant & Variant.TWINS) != 0) {

@@ -226,7 +226,7 @@ public final class Layout {
      */
     public static final int SUN_LIGHT = 2;
 
-    /** A sphere that shines in a cone of directions ({@link SpotEmitter}). */
+    /** A sphere that shines in a cone of directions, and that rays outside of it pass ({@link SpotEmitter}). */
     public static final int SPOT_LIGHT = 3;
 
     /** The reflectivity beside a metal, for path tracing. */

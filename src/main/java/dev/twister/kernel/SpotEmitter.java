@@ -16,6 +16,15 @@ public final class SpotEmitter {
         path[Layout.EMITTED + 2] = path[Layout.EMITTED + 2] * part;
     }
 
+    /** 1 if the body is a spot that emits nothing against the path's ray, so that the ray passes it, else 0. */
+    public static int isDark(float[] path, int body, float[] looks) {
+        int dark = 0;
+        if (looks[Layout.LOOK_STRIDE * body + Layout.LOOK_LIGHT] == Layout.SPOT_LIGHT) {
+            dark = part(path, Layout.DIRECTION, body, looks) > 0f ? 0 : 1;
+        }
+        return dark;
+    }
+
     /**
      * The part of a spot's radiance, in [0, 1], that it emits against a direction; 1 for other bodies.
      *

@@ -62,6 +62,11 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
         return bodies.looks()[Layout.LOOK_STRIDE * body + Layout.LOOK_LIGHT] == Layout.SUN_LIGHT;
     }
 
+    /** Whether a light's body is a spot, which rays outside of its cone pass. */
+    public boolean isSpot(int body) {
+        return bodies.looks()[Layout.LOOK_STRIDE * body + Layout.LOOK_LIGHT] == Layout.SPOT_LIGHT;
+    }
+
     /** Whether the body is a light. */
     public boolean isLight(int body) {
         return body > Layout.NOTHING && bodies.looks()[Layout.LOOK_STRIDE * body + Layout.LOOK_LIGHT] > 0;

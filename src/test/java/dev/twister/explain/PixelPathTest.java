@@ -78,6 +78,18 @@ class PixelPathTest {
         }
     }
 
+    /** Suns and spots, too. */
+    @Test
+    void otherLightsAddUp() {
+        for (int seed = 0; seed < 8; seed++) {
+            Random random = new Random(seed);
+            LitScene scene = RandomMaterials.scene(random, 3);
+            LitScene lit = seed % 2 == 0 ? RandomLights.ofSuns(scene, random) : RandomLights.ofSpots(scene, random);
+            pathsAddUp(input(lit, lit.scene().rendering()));
+            pathsAddUp(input(lit, lit.scene().rendering().withIntegrator(Integrator.PATH)));
+        }
+    }
+
     @ParameterizedTest
     @MethodSource("shipped")
     void tracedPathsOfShippedScenesAddUp(String name) {
@@ -253,6 +265,42 @@ class PixelPathTest {
         return step.shading()
                 .map(ShadedSurface::point)
                 .orElseGet(() -> step.scattering().orElseThrow().point());
+    }
+
+    /** A view ray into two suns' discs, and its mirror image in the ground. */
+    @ParameterizedTest
+    @CsvSource({"-90, 0", "90, 1"})
+    void discsOfSunsAreStepsBeforeTheSky(double pitch, int bounces) {
+        Light red = Light.sun(new Vector3(0, -1, 0), 20).withColor(new Rgb(1, 0, 0));
+        Light green = Light.sun(new Vector3(0, -1, 0.01), 40).withColor(new Rgb(0, 1, 0));
+        Light aside = Light.sun(new Vector3(1, -1, 0), 40);
+        Scene scene = scene(128, bounces)
+                .withCamera(Camera.of(new Vector3(5, 4, 5), 0, pitch, 60))
+                .withSpheres(List.of())
+                .withLights(new Lights(List.of(red, aside, green)));
+        Rendering settings = scene.rendering().withIntegrator(Integrator.PATH).withClamp(5);
+        FrameInput input = World.of(scene.withRendering(settings), SKY).snapshot();
+        PixelPath path = PixelPath.of(input, 0, 0, 0);
+        List<PathStep> steps = path.steps();
+        int view = steps.size() - 3;
+
+        assertThat(view).isEqualTo(bounces);
+        assertThat(steps.subList(view, steps.size()))
+                .extracting(step -> path.bodyName(step.body()))
+                .containsExactly("light", "light 3", "sky");
+        for (PathStep step : steps.subList(view, steps.size())) {
+            assertThat(step.parent()).isEqualTo(view - 1);
+            assertThat(step.kind()).isEqualTo(view == 0 ? RayKind.VIEW : RayKind.REFLECTED);
+            assertThat(step.distance()).isZero();
+        }
+        assertThat(steps.get(view).light().orElseThrow().radiance().green()).isZero();
+        assertThat(steps.get(view).adds().red()).isGreaterThan(1);
+        assertThat(steps.get(view).adds().blue()).isZero();
+        assertThat(steps.get(view + 1).adds().green()).isGreaterThan(1);
+        assertThat(steps.get(view + 1).adds().red()).isZero();
+        assertThat(steps.getLast().adds())
+                .isEqualTo(steps.getLast().light().orElseThrow().radiance());
+        assertThat(path.radiance()).isEqualTo(path.pixel());
     }
 
     /** The ray goes straight down onto a half mirror; the reflected ray hits the sky. */

@@ -25,6 +25,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.light.LightShape;
 import java.nio.file.Path;
 import java.util.List;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -127,6 +128,10 @@ class BodiesTest {
             driver.withRobot(hand -> hand.mouseMove(from.getX() + part * right, from.getY() + part * down));
         }
         driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+    }
+
+    private static void dragTo(Point2D from, Point2D to) {
+        drag(from, to.getX() - from.getX(), to.getY() - from.getY());
     }
 
     @Test
@@ -444,6 +449,61 @@ class BodiesTest {
         driver.run(() -> driver.studio.selection().select(BodyNumber.LIGHT));
         awaitRest();
         assertThat(driver.find("#light-size", Node.class).isVisible()).isTrue();
+    }
+
+    /** A spot has rows of its own, and shines at what its dot is dragged to. */
+    @Test
+    void spotsAreInsertedAndAimedByTheirDot() {
+        driver.type(Command.INSERT_SPOT.keys());
+        int spot = BodyNumber.ofLight(1);
+        assertThat(selected()).isEqualTo(spot);
+        assertThat(scene().lights().get(1).shape().kind()).isEqualTo(LightShape.Kind.SPOT);
+        awaitRest();
+        assertThat(driver.find("#spot-angle", Node.class).isVisible()).isTrue();
+        assertThat(WindowDriver.call(driver.find("#ring-z", Group.class)::isVisible))
+                .isTrue();
+        Vector3 down = scene().lights().get(1).shape().direction();
+
+        dragTo(middleOf("#aim-handle"), seenAt(Layout.FIRST_SPHERE));
+
+        Light aimed = scene().lights().get(1);
+        Vector3 middle = BodyEdits.position(scene(), Layout.FIRST_SPHERE);
+        double radius = BodyEdits.sphere(scene(), Layout.FIRST_SPHERE).radius();
+        Vector3 away = middle.minus(aimed.position());
+        double past = away.cross(aimed.shape().direction()).length();
+        assertThat(past).as("meters from the middle").isLessThan(radius);
+        assertThat(away.dot(aimed.shape().direction())).isPositive();
+        assertThat(away.cross(down).length()).as("before").isGreaterThan(radius);
+        awaitRest();
+        driver.run(() -> driver.studio.selection().select(BodyNumber.NONE));
+        click(seenAt(Layout.FIRST_SPHERE + scene().spheres().size()));
+        assertThat(selected()).as("a spot that is not seen").isEqualTo(spot);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene().lights().get(1).shape().direction()).isEqualTo(down);
+        driver.type(KeyCode.DELETE);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
+    }
+
+    /** The dot of a sun leads to the ground, and into the sky. */
+    @Test
+    void sunsAreAimedByTheirDot() {
+        driver.type(Command.INSERT_SUN.keys());
+        awaitRest();
+        Bounds picture = driver.pictureOnScreen();
+        dragTo(middleOf("#aim-handle"), new Point2D(picture.getMinX() + 30, picture.getMaxY() - 10));
+        Vector3 left = scene().lights().get(1).shape().direction();
+        awaitRest();
+        dragTo(middleOf("#aim-handle"), new Point2D(picture.getMaxX() - 30, picture.getMaxY() - 10));
+        Vector3 right = scene().lights().get(1).shape().direction();
+        awaitRest();
+        dragTo(middleOf("#aim-handle"), new Point2D(picture.getCenterX(), picture.getMinY() + 5));
+        Vector3 up = scene().lights().get(1).shape().direction();
+
+        assertThat(left.x()).isLessThan(right.x());
+        assertThat(left.y()).isNegative();
+        assertThat(right.y()).isNegative();
+        assertThat(up.y()).isPositive();
+        assertThat(up.length()).isCloseTo(1, within(1e-5));
     }
 
     @Test

@@ -34,6 +34,11 @@ sealed interface Body permits SphereBody, PlaneBody, TriangleBody {
         return material().emits() && !fromInside;
     }
 
+    /** The part of the emission that goes against a direction. */
+    default double part(Vector direction) {
+        return 1;
+    }
+
     OracleMaterial material();
 
     /** The material at a point, as maps vary it. */

@@ -59,7 +59,8 @@ final class BruteForce {
             media = media.at(body, fromInside);
             throughput = throughput.times(media.passed(distance));
             if (body.emits(ray, fromInside)) {
-                found = found.plus(throughput.times(material.emission()).times(media.spread()));
+                Color emitted = material.emission().times(body.part(ray.direction()));
+                found = found.plus(throughput.times(emitted).times(media.spread()));
             }
             if (lights.contains(body) || bounce > bounceLimit) {
                 return found;

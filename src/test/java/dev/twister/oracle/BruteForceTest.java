@@ -129,6 +129,19 @@ class BruteForceTest {
         requireMeans("a sun", new LitScene(lit.scene().withLights(lights), lit.images(), lit.meshes()));
     }
 
+    /** Rays outside of its cone pass a spot, and those inside are stopped by it, on their way to other light, too. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 64})
+    void spotsShineInTheirConesAndAreNotSeenOutside(double reflectivity) {
+        LitScene lit = scene(WHITE.withReflectivity(reflectivity));
+        Light spot = Light.spot(new Vector3(0.9, 1.9, -1.2), 0.5, new Vector3(-0.6, -0.6, 0.8), 100)
+                .withColor(new Rgb(1, 0.8, 0.5))
+                .withStrength(1.5);
+        Lights lights =
+                lit.scene().lights().with(List.of(spot.withShape(spot.shape().withConeBlend(0.4))));
+        requireMeans("a spot", new LitScene(lit.scene().withLights(lights), lit.images(), lit.meshes()));
+    }
+
     private static void requireMeans(String name, LitScene lit) {
         double[][] brute = brute(lit);
         double[][] traced = traced(lit);
@@ -178,7 +191,7 @@ class BruteForceTest {
                 continue;
             }
             SphereBody light = (SphereBody) bodies.get(body);
-            bodies.set(body, new SphereBody(light.center(), light.radius(), radiating(lit, body)));
+            bodies.set(body, new SphereBody(light.center(), light.radius(), radiating(lit, body), light.shape()));
             lights.add(bodies.get(body));
         }
         BruteForce tracer = new BruteForce(

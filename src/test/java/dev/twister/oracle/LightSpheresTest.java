@@ -19,8 +19,10 @@ import dev.twister.sky.Skybox;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Lights are spheres: in path tracing they give the picture of spheres that emit, wherever they are kept. */
@@ -65,6 +67,32 @@ class LightSpheresTest {
         assertThat(Pictures.radiance(engine, dark, GRAY)).isEqualTo(Pictures.radiance(engine, hidden, GRAY));
         Scene whitted = dark.withRendering(dark.rendering().withIntegrator(Integrator.WHITTED));
         assertThat(Pictures.radiance(engine, whitted, GRAY)).contains(1f);
+    }
+
+    /** A spot between the camera and the sky that shines away from the camera, or to its side; and one in its cone. */
+    @ParameterizedTest
+    @CsvSource({"sequential, path", "vector, path", "sequential, whitted", "vector, whitted"})
+    void aSpotIsSeenInItsConeAlone(String engine, String integrator) {
+        Light none = Light.DEFAULT.withPosition(new Vector3(0, 1, -90));
+        Integrator by = Integrator.valueOf(integrator.toUpperCase(Locale.ROOT));
+        Light away = Light.spot(new Vector3(0, 1, 0), 1, new Vector3(0, 0, 1), 120);
+        Light aside = away.withShape(away.shape().withDirection(new Vector3(1, 0, 0)));
+        Light towards = away.withShape(away.shape().withDirection(new Vector3(0, 0, -1)));
+        float[] sky = Pictures.radiance(JvmEngines.SEQUENTIAL, high(Lights.of(none), by), GRAY);
+
+        assertThat(Pictures.radiance(engine, high(new Lights(List.of(away, none, aside)), by), GRAY))
+                .isEqualTo(sky);
+        assertThat(Pictures.radiance(engine, high(new Lights(List.of(none, away, aside)), by), GRAY))
+                .isEqualTo(sky);
+        assertThat(Pictures.radiance(engine, high(new Lights(List.of(none, towards)), by), GRAY))
+                .isNotEqualTo(sky);
+    }
+
+    /** Above a ground that nobody sees. */
+    private static Scene high(Lights lights, Integrator integrator) {
+        Scene scene = traced(lights);
+        return scene.withGround(scene.ground().withHeight(-900))
+                .withRendering(scene.rendering().withIntegrator(integrator));
     }
 
     private static Scene traced(Lights lights) {

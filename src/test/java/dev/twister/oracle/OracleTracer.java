@@ -11,7 +11,6 @@ import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
-import dev.twister.scene.light.LightShape;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.StageOrView;
@@ -74,18 +73,6 @@ final class OracleTracer {
         double share() {
             return light.share();
         }
-
-        /** The part of the light of glTF's spots that goes against a direction. */
-        double part(Vector toLight) {
-            LightShape shape = light.shape();
-            if (shape.kind() != LightShape.Kind.SPOT) {
-                return 1;
-            }
-            double outer = Math.cos(Math.toRadians(shape.coneAngleDegrees() / 2));
-            double inner = Math.cos(Math.toRadians(shape.coneAngleDegrees() / 2 * (1 - shape.coneBlend())));
-            double cosine = toLight.dot(vector(shape.toward()));
-            return Math.pow(Math.clamp((cosine - outer) / Math.max(0.001, inner - outer), 0, 1), 2);
-        }
     }
 
     /** What lights do at a surface: lit, and the sum of the highlights. */
@@ -117,7 +104,8 @@ final class OracleTracer {
         return new SphereBody(
                 light.isSun() ? NEVER_HIT : vector(light.position()),
                 light.radius(),
-                OracleMaterial.of(Material.DEFAULT.withColor(light.color()), images));
+                OracleMaterial.of(Material.DEFAULT.withColor(light.color()), images),
+                light.shape());
     }
 
     /** Returns a scene's bodies: the first light, the plane, the spheres, the other lights and the triangles. */
@@ -266,7 +254,7 @@ final class OracleTracer {
             SphereBody light = lamp.seenFrom(place.point());
             Vector toLight = light.center().minus(place.point()).normalized();
             double visible = shadowed ? shadow.visible(light, place.point(), place.body(), place.ray()) : 1;
-            visible *= lamp.part(toLight);
+            visible *= lamp.body().part(toLight);
             sum += lamp.share() * Math.max(0, place.normal().dot(toLight)) * visible;
             highlight = highlight.plus(light.material().color().times(highlight(place, toLight, visible)));
         }

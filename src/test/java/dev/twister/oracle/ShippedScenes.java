@@ -45,7 +45,7 @@ public final class ShippedScenes {
     /** Those of {@link #oracleNames} that do not take it seconds; all with {@code -Dtwister.oracle=large}. */
     static List<String> quickOracleNames() {
         return oracleNames().stream()
-                .filter(name -> ALWAYS_LARGE || !name.equals("atrium"))
+                .filter(name -> ALWAYS_LARGE || !List.of("atrium", "stage").contains(name))
                 .toList();
     }
 

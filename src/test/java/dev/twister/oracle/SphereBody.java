@@ -1,15 +1,36 @@
 package dev.twister.oracle;
 
-/** A sphere, or the light, whose color is a radiance. */
-record SphereBody(Vector center, double radius, OracleMaterial material) implements Body {
+import dev.twister.scene.light.LightShape;
+
+/** A sphere, or a light, whose color is a radiance, and whose shape says against which rays it has it. */
+record SphereBody(Vector center, double radius, OracleMaterial material, LightShape shape) implements Body {
+    SphereBody(Vector center, double radius, OracleMaterial material) {
+        this(center, radius, material, LightShape.SPHERE);
+    }
+
     /**
      * Returns the near root of {@code |origin + t direction - center|^2 = radius^2} if positive, else the far root if
-     * that is positive and the sphere transmits.
+     * that is positive and the sphere transmits. Rays against which a spot emits nothing pass it.
      */
     @Override
     public double distance(Ray ray) {
+        if (part(ray.direction()) == 0) {
+            return MISS;
+        }
         double near = root(ray, -1);
         return near > 0 || !material.transmits() ? inFront(near) : distanceInside(ray);
+    }
+
+    /** The part of the light of glTF's spots that goes against a direction. */
+    @Override
+    public double part(Vector direction) {
+        if (shape.kind() != LightShape.Kind.SPOT) {
+            return 1;
+        }
+        double outer = Math.cos(Math.toRadians(shape.coneAngleDegrees() / 2));
+        double inner = Math.cos(Math.toRadians(shape.coneAngleDegrees() / 2 * (1 - shape.coneBlend())));
+        double cosine = direction.dot(OracleTracer.vector(shape.toward()));
+        return Math.pow(Math.clamp((cosine - outer) / Math.max(0.001, inner - outer), 0, 1), 2);
     }
 
     @Override
@@ -22,7 +43,7 @@ record SphereBody(Vector center, double radius, OracleMaterial material) impleme
     boolean isTwinOf(Body other) {
         return other != null
                 && other != this
-                && other instanceof SphereBody(Vector otherCenter, double otherRadius, OracleMaterial _)
+                && other instanceof SphereBody(Vector otherCenter, double otherRadius, OracleMaterial _, LightShape _)
                 && center.equals(otherCenter)
                 && radius == otherRadius;
     }

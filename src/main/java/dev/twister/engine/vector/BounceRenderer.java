@@ -95,6 +95,9 @@ final class BounceRenderer {
         if (rays.nearMeshes) {
             MeshHits.find(drawing, rays, bench.meshes);
         }
+        if (drawing.spots) {
+            bench.handover.passSpots(rays, drawing);
+        }
         HitSorting.sort(rays, drawing);
     }
 

@@ -105,6 +105,25 @@ final class Handover {
         return kernel.visible(drawing.input, (int) t[pixel + Tile.HIT], bounce, drawing.lights[light].body);
     }
 
+    /** Lets the kernel find what rays meet that lanes have stopped at a spot which emits nothing against them. */
+    void passSpots(Tile tile, Drawing drawing) {
+        float[] t = tile.values;
+        float[] path = kernel.path();
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
+                int hit = (int) t[pixel + Tile.HIT];
+                if (hit >= Layout.LIGHT && t[pixel + Tile.THROUGHPUT] > 0f && drawing.input.isSpot(hit)) {
+                    takeRay(t, pixel);
+                    t[pixel + Tile.HIT] = kernel.hit(drawing.input);
+                    t[pixel + Tile.DISTANCE] = path[Layout.DISTANCE];
+                    t[pixel + Tile.INSTANCE] = path[Layout.INSTANCE];
+                    t[pixel + Tile.TRIANGLE] = path[Layout.TRIANGLE];
+                }
+            }
+        }
+    }
+
     private void takeRay(float[] t, int pixel) {
         float[] path = kernel.path();
         for (int axis = 0; axis < 3; axis++) {

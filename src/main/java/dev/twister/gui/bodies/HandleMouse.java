@@ -5,6 +5,7 @@ import dev.twister.gui.edit.BodyTransform;
 import dev.twister.gui.edit.BodyTransform.Mode;
 import dev.twister.gui.picking.Projection;
 import dev.twister.gui.picking.RotationRing;
+import dev.twister.gui.picking.SurfacePoint;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
@@ -21,7 +22,7 @@ import javafx.scene.Node;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 
-/** Rotates and scales the selected bodies by the {@link TransformHandles}; Ctrl snaps. */
+/** Rotates, scales and aims the selected bodies by the {@link TransformHandles}; Ctrl snaps. */
 public final class HandleMouse {
     private static final double TURN = 360;
 
@@ -113,6 +114,11 @@ public final class HandleMouse {
     private void dragged(MouseEvent event) {
         held.ifPresent(taken -> {
             Point2D to = pixel(event, taken.input());
+            event.consume();
+            if (taken.handle().aims()) {
+                aim(taken, to);
+                return;
+            }
             Mode mode = taken.handle().mode();
             double free = mode == Mode.ROTATE ? turn(taken, to) : factor(taken, to);
             double number = event.isControlDown() ? BodyTransform.snapped(mode, free) : free;
@@ -123,8 +129,16 @@ public final class HandleMouse {
                     .orElse(scene -> taken.bodies().scaled(scene, number));
             studio.edit(mode.label().toLowerCase(Locale.ROOT), change);
             tell(taken.handle(), number);
-            event.consume();
         });
+    }
+
+    /** Lets the active light shine at what is under the pointer. */
+    private void aim(Held taken, Point2D to) {
+        int active = studio.selection().active();
+        Vector3 target = SurfacePoint.aim(taken.input(), to.getX(), to.getY());
+        studio.edit("aim", scene -> taken.bodies().aimed(scene, active, target));
+        told = "Aims the light at what is under the pointer";
+        studio.notice(told);
     }
 
     private void released(MouseEvent event) {

@@ -20,12 +20,15 @@ import java.util.stream.Stream;
 import javafx.css.PseudoClass;
 import javafx.geometry.Point2D;
 import javafx.scene.Group;
+import javafx.scene.shape.Circle;
+import javafx.scene.shape.Line;
 import javafx.scene.shape.Polyline;
 import javafx.scene.shape.Rectangle;
 
 /**
- * Draws rings at the active body that rotate the selected bodies about an axis, and a box that scales them. Shown
- * beside the {@link AxisHandles}; there are no rings where a rotation changes nothing.
+ * Draws rings at the active body that rotate the selected bodies about an axis, a box that scales them, and a dot on
+ * the way of a sun's or spot's light that aims it. Shown beside the {@link AxisHandles}; there are no rings where a
+ * rotation changes nothing.
  */
 public final class TransformHandles extends Group {
     private static final PseudoClass POINTED = PseudoClass.getPseudoClass("pointed");
@@ -38,6 +41,11 @@ public final class TransformHandles extends Group {
 
     private static final double BOX = 10;
 
+    /** From the light to the dot, across the view. */
+    private static final double AIM_LENGTH = 96;
+
+    private static final double AIM_RADIUS = 5;
+
     /** Distance from which the pointer grabs a handle. */
     private static final double REACH = 6;
 
@@ -46,15 +54,27 @@ public final class TransformHandles extends Group {
     private final AxisHandles arrows;
     private final Map<Axis, Ring> rings = new EnumMap<>(Axis.class);
     private final Rectangle box = new Rectangle(BOX, BOX);
-    private List<RotationRing> shown = List.of();
-    private Optional<Point2D> middle = Optional.empty();
+    private final Line aimShade = new Line();
+    private final Line aimLine = new Line();
+    private final Circle aim = new Circle(AIM_RADIUS);
+    private Shown shown = new Shown(Optional.empty(), List.of(), Optional.empty());
+
+    /** What is seen: places in the view. */
+    private record Shown(Optional<Point2D> middle, List<RotationRing> rings, Optional<Point2D> aim) {}
 
     /**
      * A handle of that kind.
      *
-     * @param axis of a rotation; empty for the box
+     * @param axis of a rotation; empty for the box, and for the dot, which turns a light in any direction
      */
-    record Handle(Mode mode, Optional<Axis> axis) {}
+    record Handle(Mode mode, Optional<Axis> axis) {
+        private static final Handle BOX = new Handle(Mode.SCALE, Optional.empty());
+        private static final Handle DOT = new Handle(Mode.ROTATE, Optional.empty());
+
+        boolean aims() {
+            return equals(DOT);
+        }
+    }
 
     private static final class Ring extends Group {
         private final Polyline shade = new Polyline();
@@ -91,7 +111,13 @@ public final class TransformHandles extends Group {
         box.setAccessibleText("Scales");
         box.getStyleClass().add("scale-handle");
         getChildren().add(box);
-        show(Optional.empty(), List.of());
+        aim.setId("aim-handle");
+        aim.setAccessibleText("Aims the light");
+        aim.getStyleClass().add("aim-handle");
+        aimShade.getStyleClass().add("handle-shade");
+        aimLine.getStyleClass().addAll("handle", "aim-line");
+        getChildren().addAll(aimShade, aimLine, aim);
+        show(shown);
         arrows.setOnRefresh(this::refresh);
     }
 
@@ -100,11 +126,15 @@ public final class TransformHandles extends Group {
         if (arrows.axisAt(x, y).isPresent()) {
             return Optional.empty();
         }
-        boolean atBox =
-                middle.filter(_ -> box.getBoundsInParent().contains(x, y)).isPresent();
+        if (shown.aim().filter(dot -> dot.distance(x, y) <= AIM_RADIUS + 2).isPresent()) {
+            return Optional.of(Handle.DOT);
+        }
+        boolean atBox = shown.middle()
+                .filter(_ -> box.getBoundsInParent().contains(x, y))
+                .isPresent();
         return atBox
-                ? Optional.of(new Handle(Mode.SCALE, Optional.empty()))
-                : shown.stream()
+                ? Optional.of(Handle.BOX)
+                : shown.rings().stream()
                         .filter(ring -> ring.distance(x, y) <= REACH)
                         .min(Comparator.comparingDouble(ring -> ring.distance(x, y)))
                         .map(ring -> new Handle(Mode.ROTATE, Optional.of(ring.axis())));
@@ -114,8 +144,8 @@ public final class TransformHandles extends Group {
     void point(Optional<Handle> pointed) {
         rings.forEach((axis, ring) -> ring.line.pseudoClassStateChanged(
                 POINTED, pointed.flatMap(Handle::axis).equals(Optional.of(axis))));
-        box.pseudoClassStateChanged(
-                POINTED, pointed.filter(handle -> handle.mode() == Mode.SCALE).isPresent());
+        box.pseudoClassStateChanged(POINTED, pointed.equals(Optional.of(Handle.BOX)));
+        aim.pseudoClassStateChanged(POINTED, pointed.equals(Optional.of(Handle.DOT)));
     }
 
     private void refresh(Optional<Vector3> body) {
@@ -136,30 +166,59 @@ public final class TransformHandles extends Group {
                                 .map(point -> AxisHandles.inView(place, point))
                                 .toList()))
                 .toList();
+        Optional<Point2D> tip = seen.flatMap(_ -> projection.flatMap(to -> tip(to, body.orElseThrow())));
+        Shown now = new Shown(seen, turning, tip);
         // Setting the same places would make JavaFX paint again.
-        if (!seen.equals(middle) || !turning.equals(shown)) {
-            show(seen, turning);
+        if (!now.equals(shown)) {
+            show(now);
         }
+    }
+
+    /** Where the active light shines, at a length that is the same at any distance. */
+    private Optional<Point2D> tip(Projection projection, Vector3 middle) {
+        PicturePlace place = view.place();
+        int active = studio.selection().active();
+        double meters = place.toPicture(AIM_LENGTH) / projection.pixelsPerMeter(middle);
+        return Optional.of(studio.bodies().scene())
+                .filter(scene -> BodyEdits.isAimed(scene, active))
+                .map(scene -> BodyEdits.light(scene, active).shape().toward().times(-meters))
+                .map(way -> projection.point(middle.plus(way)))
+                .filter(pixel -> pixel.length > 0)
+                .map(pixel -> place.toView(pixel[0], pixel[1]));
     }
 
     /** Whether a rotation changes the selected bodies: one sphere alone stays as it is. */
     private boolean turns() {
         int active = studio.selection().active();
         return BodyEdits.isMesh(studio.scene(), active)
+                || BodyEdits.isAimed(studio.scene(), active)
                 || studio.selection().bodies().count() > 1;
     }
 
-    private void show(Optional<Point2D> at, List<RotationRing> turning) {
-        middle = at;
-        shown = turning;
+    private void show(Shown now) {
+        shown = now;
         rings.values().forEach(ring -> ring.setVisible(false));
-        for (RotationRing seen : turning) {
+        for (RotationRing seen : now.rings()) {
             Ring ring = rings.get(seen.axis());
             ring.place(seen.points());
             ring.setVisible(true);
         }
-        box.setVisible(at.isPresent());
-        at.ifPresent(place -> box.relocate(
-                Math.rint(place.getX() + BOX_PLACE - BOX / 2), Math.rint(place.getY() + BOX_PLACE - BOX / 2)));
+        box.setVisible(now.middle().isPresent());
+        now.middle()
+                .ifPresent(place -> box.relocate(
+                        Math.rint(place.getX() + BOX_PLACE - BOX / 2), Math.rint(place.getY() + BOX_PLACE - BOX / 2)));
+        List.of(aimShade, aimLine, aim)
+                .forEach(part -> part.setVisible(now.aim().isPresent()));
+        now.aim().ifPresent(dot -> {
+            Point2D from = now.middle().orElseThrow();
+            for (Line line : List.of(aimShade, aimLine)) {
+                line.setStartX(from.getX());
+                line.setStartY(from.getY());
+                line.setEndX(dot.getX());
+                line.setEndY(dot.getY());
+            }
+            aim.setCenterX(dot.getX());
+            aim.setCenterY(dot.getY());
+        });
     }
 }

@@ -8,6 +8,7 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.generate.Pour;
+import dev.twister.scene.light.LightShape;
 import dev.twister.scene.light.Lights;
 import dev.twister.scene.property.SceneLimits;
 import dev.twister.world.SceneMeshes;
@@ -171,6 +172,17 @@ public final class BodyEdits {
         }
         Light light = light(scene, body);
         return light.isSun() ? new Vector3(0, scene.ground().height() + SUN_HANDLES, 0) : light.position();
+    }
+
+    /** Whether a body is a light that shines in a direction. */
+    public static boolean isAimed(Scene scene, int body) {
+        return isLight(scene, body) && light(scene, body).shape().kind() != LightShape.Kind.SPHERE;
+    }
+
+    /** The scene with a light that shines in another direction. */
+    public static Scene aimed(Scene scene, int body, Vector3 direction) {
+        Light light = light(scene, body);
+        return withLight(scene, body, light.withShape(light.shape().withDirection(direction)));
     }
 
     /** The scene with a movable body elsewhere. */

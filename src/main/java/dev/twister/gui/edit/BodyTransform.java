@@ -95,13 +95,19 @@ public record BodyTransform(Scene start, Set<Integer> bodies, Vector3 pivot) {
         for (int body : bodies) {
             if (BodyEdits.isLight(start, body)) {
                 Vector3 direction = BodyEdits.light(start, body).shape().direction();
-                Light light = BodyEdits.light(rotated, body);
-                Vector3 aimed = turned(direction, axis, degrees).map(BodyTransform::rounded);
-                rotated = BodyEdits.withLight(
-                        rotated, body, light.withShape(light.shape().withDirection(aimed)));
+                rotated = BodyEdits.aimed(
+                        rotated, body, turned(direction, axis, degrees).map(BodyTransform::rounded));
             }
         }
         return rotated;
+    }
+
+    /** The scene with a light among the bodies that shines at a place. */
+    public Scene aimed(Scene scene, int body, Vector3 target) {
+        Vector3 way = target.minus(BodyEdits.position(start, body));
+        return way.length() == 0
+                ? scene
+                : BodyEdits.aimed(scene, body, way.normalized().map(BodyTransform::rounded));
     }
 
     /** The scene with the bodies larger, and farther from the pivot, by a factor. */

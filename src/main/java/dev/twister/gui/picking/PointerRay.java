@@ -4,6 +4,7 @@ import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Surface;
+import dev.twister.kernel.Variant;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.property.CameraProperties;
 import dev.twister.world.Bodies;
@@ -54,7 +55,8 @@ public record PointerRay(float[] path, int body, Bodies bodies) {
                 input.bodies().floats(),
                 input.bodies().looks(),
                 input.bodies().meshes(),
-                input.variant(false));
+                // Spots can be grabbed where they are not seen, too.
+                input.variant(false) & ~Variant.LIGHTS);
     }
 
     /** The unit normal where it meets the body, to the ray's side. */

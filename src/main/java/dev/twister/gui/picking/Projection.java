@@ -53,7 +53,7 @@ public final class Projection {
     }
 
     /** What a meter across the view comes to at a place before the camera. */
-    double pixelsPerMeter(Vector3 place) {
+    public double pixelsPerMeter(Vector3 place) {
         double[] seen = seen(place);
         return switch (kind) {
             case CameraRay.PERSPECTIVE -> camera[Layout.CAMERA_EYE_DISTANCE] / seen[2] * Math.min(width, height) / 2;

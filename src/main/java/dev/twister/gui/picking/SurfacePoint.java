@@ -19,6 +19,9 @@ import java.util.function.IntPredicate;
  * @param normal of length 1, to the side from which it is seen
  */
 public record SurfacePoint(Vector3 place, Vector3 normal) {
+    /** Meters, beside which a scene is small. */
+    private static final double FAR = 1e9;
+
     /**
      * What is seen at a place on the picture; empty for the sky.
      *
@@ -31,6 +34,13 @@ public record SurfacePoint(Vector3 place, Vector3 normal) {
         return ray.body() == Layout.NOTHING
                 ? Optional.empty()
                 : Optional.of(new SurfacePoint(ray.along(ray.distance()), ray.normal(input)));
+    }
+
+    /** What a light shines at that is aimed at a place on the picture: what is seen there, or the sky far away. */
+    public static Vector3 aim(FrameInput input, double x, double y) {
+        return under(input, x, y, input::isLight)
+                .map(SurfacePoint::place)
+                .orElseGet(() -> PointerRay.through(input, x, y).along(FAR));
     }
 
     /**

@@ -5,7 +5,6 @@ import dev.twister.explain.PathStep.LightSample;
 import dev.twister.explain.PathStep.ShadedSurface;
 import dev.twister.explain.PixelPath;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.picking.Projection;
 import dev.twister.gui.picture.PathView.PathLines.Kind;
 import dev.twister.gui.picture.PathView.PathLines.Line;
@@ -174,7 +173,7 @@ public final class PathView extends Pane {
         }
 
         private static double length(PathStep step) {
-            return step.body() == BodyNumber.NONE ? TO_THE_SKY : step.distance();
+            return step.distance() == 0 ? TO_THE_SKY : step.distance();
         }
 
         private static Vector3 along(Vector3 from, Vector3 direction, double meters) {

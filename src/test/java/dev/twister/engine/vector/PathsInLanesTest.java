@@ -88,9 +88,14 @@ final class PathsInLanesTest {
                         Light.sun(new Vector3(-1, -1, 1), 0),
                         Light.sun(new Vector3(1, -1, 0.5), 30),
                         Light.spot(new Vector3(0, 6, 0), 0.3, new Vector3(0.2, -1, 0), 70)
-                                .withStrength(40)))));
+                                .withStrength(40),
+                        Light.spot(new Vector3(2, 1.5, -1), 0.8, new Vector3(-1, 0.1, 0.3), 90)
+                                .withStrength(2)))));
         try (Engine vector = VectorEngines.open(2, CROWD)) {
             assertSame(vector, world.snapshot());
+        }
+        try (Engine packets = VectorEngines.open(2)) {
+            assertSame(packets, world.snapshot());
         }
     }
 

@@ -36,6 +36,9 @@ public final class Drawing {
     /** Whether there are lights after the first that rays can meet. */
     public boolean lightSpheres;
 
+    /** Whether there are spots, which some rays pass. */
+    public boolean spots;
+
     /** Whether the light of several lights is summed up: there are several, or one whose share is not 1. */
     public boolean severalLights;
 
@@ -141,8 +144,10 @@ public final class Drawing {
             lights = new ShadingLight[lightCount];
             Arrays.setAll(lights, _ -> new ShadingLight());
         }
+        spots = false;
         for (int index = 0; index < lightCount; index++) {
             lights[index].take(input, index, bodies, planeHeight);
+            spots |= input.isSpot(lights[index].body);
         }
         firstLight.reserveBlocks(1);
         int at = SphereColumns.FIRST;
