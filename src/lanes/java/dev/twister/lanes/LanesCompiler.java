@@ -86,7 +86,7 @@ public final class LanesCompiler {
         int always = constants.constant("Variant", "PATH") | constants.constant("Variant", "MATERIALS");
         List<Integer> variants = new ArrayList<>();
         for (int bits = 0; bits < 1 << shift; bits++) {
-            for (String view : List.of("FULL", "GUIDED", "LAYERED")) {
+            for (String view : List.of("FULL", "GUIDED", "LAYERED", "CUT", "CUT_GUIDED", "CUT_LAYERED")) {
                 if ((bits & always) == always) {
                     variants.add(bits | constants.constant("Views", view) << shift);
                 }

@@ -35,6 +35,10 @@ public final class ConvergingPicture {
     private final Frame pass;
     private final float[][] sums;
     private final float[] layers;
+
+    /** Without background: the sums over white, in which the noise of alpha shows. */
+    private final float[][] overWhite;
+
     private final boolean[] wanted;
     private final boolean[] low;
     private final int[] samplesOfTile;
@@ -48,6 +52,7 @@ public final class ConvergingPicture {
         pass.stopWhen(frame::isToStop);
         sums = new float[2][pass.radiance().length];
         layers = new float[pass.layers().length];
+        overWhite = new float[2][input.isCut() ? pass.radiance().length : 0];
         wanted = new boolean[input.tilesAcross() * Math.ceilDiv(input.rows(), SIDE)];
         Arrays.fill(wanted, true);
         low = new boolean[wanted.length];
@@ -128,26 +133,39 @@ public final class ConvergingPicture {
             } catch (RenderStoppedException stopped) {
                 if (samplesOfHalf == 0 && half == 0) {
                     // The first pixels are all there is.
-                    addPass(samples, sums[half]);
+                    addPass(samples, half);
                 }
                 throw stopped;
             }
             times = times.plus(pass.times());
-            addPass(samples, sums[half]);
+            addPass(samples, half);
         }
         samplesOfHalf += samples;
     }
 
-    private void addPass(int samples, float[] sum) {
+    private void addPass(int samples, int half) {
         for (int tile = 0; tile < wanted.length; tile++) {
             if (wanted[tile]) {
-                addTile(tile, samples, pass.radiance(), 0, sum);
+                addTile(tile, samples, pass.radiance(), 0, sums[half]);
+                if (input.isCut()) {
+                    addOverWhite(tile, samples, overWhite[half]);
+                }
                 for (int layer = 0; layer < input.layers(); layer++) {
                     addTile(tile, samples, pass.layers(), pass.firstOf(layer), layers);
                 }
                 samplesOfTile[tile] += samples;
             }
         }
+    }
+
+    private void addOverWhite(int tile, int samples, float[] to) {
+        float white = 1 / input.view().frame()[Layout.EXPOSURE_SCALE];
+        int alpha = pass.firstOf(pass.layerCount() - 1);
+        forRows(tile, (first, end) -> {
+            for (int i = first; i < end; i++) {
+                to[i] += samples * (pass.radiance()[i] + white * (1 - pass.layers()[alpha + i]));
+            }
+        });
     }
 
     private void addTile(int tile, int samples, float[] from, int plane, float[] to) {
@@ -173,12 +191,20 @@ public final class ConvergingPicture {
         void take(int first, int end);
     }
 
+    private double[] noise(float[][] halves) {
+        return new NoiseEstimate(pass.width(), input.view().frame())
+                .tiles(
+                        new Half(halves[0], tile -> samplesOfTile[tile] / 2),
+                        new Half(halves[1], tile -> samplesOfTile[tile] / 2));
+    }
+
     /** A tile is done if its noise is low after two passes: once may be by chance. */
     private void estimate(double bound) {
-        double[] now = new NoiseEstimate(pass.width(), input.view().frame())
-                .tiles(
-                        new Half(sums[0], tile -> samplesOfTile[tile] / 2),
-                        new Half(sums[1], tile -> samplesOfTile[tile] / 2));
+        double[] now = noise(sums);
+        if (input.isCut()) {
+            double[] white = noise(overWhite);
+            Arrays.setAll(now, tile -> Math.max(now[tile], white[tile]));
+        }
         for (int tile = 0; tile < wanted.length; tile++) {
             if (wanted[tile]) {
                 noise[tile] = now[tile];

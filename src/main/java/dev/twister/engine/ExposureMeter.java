@@ -1,5 +1,6 @@
 package dev.twister.engine;
 
+import dev.twister.image.AlphaChannel;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.util.OptionalDouble;
@@ -14,27 +15,19 @@ public final class ExposureMeter {
 
     private ExposureMeter() {}
 
-    /** Draws a picture: its linear radiance, three floats a pixel. */
-    public interface Drawing {
-        float[] radiance(Engine engine, FrameInput input, int samples);
-    }
-
-    /** See {@link AutoExposure#stops}: of the whole picture, even where the input is of some of its rows. */
+    /**
+     * See {@link AutoExposure#stops}: of the whole picture, even where the input is of some of its rows. A background
+     * that is not in the picture does not count.
+     */
     public static OptionalDouble stops(FrameInput input) {
-        return stops(input, (engine, small, samples) -> {
-            Frame frame = Frame.ofRadiance(small.width(), small.rows());
-            engine.render(small.withSamples(0, samples), frame);
-            return frame.radiance();
-        });
-    }
-
-    /** As above, of what the caller draws. */
-    public static OptionalDouble stops(FrameInput input, Drawing drawing) {
         double scale = Math.min(1, (double) LONGER_SIDE / Math.max(input.width(), input.height()));
         int width = (int) Math.max(1, Math.round(input.width() * scale));
         int height = (int) Math.max(1, Math.round(input.height() * scale));
         try (Engine engine = JvmEngines.parallel().opener().get()) {
-            return AutoExposure.stops(drawing.radiance(engine, input.withSize(width, height), SAMPLES), input.srgb());
+            Frame frame = Frame.ofRadiance(width, height, input.layers());
+            engine.render(input.withSize(width, height).withSamples(0, SAMPLES), frame);
+            float[] seen = input.isCut() ? AlphaChannel.of(frame).straight(frame.radiance()) : frame.radiance();
+            return AutoExposure.stops(seen, input.srgb());
         }
     }
 }

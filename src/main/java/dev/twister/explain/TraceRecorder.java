@@ -216,12 +216,12 @@ final class TraceRecorder {
     }
 
     private LobeChoice next(float[] ray, int bounce) {
-        int lobe = Lobes.chosen(ray, bounce, frame);
         float[] before = ray.clone();
         for (int channel = 0; channel < CHANNELS; channel++) {
             ray[Layout.THROUGHPUT + channel] = 1;
         }
         Lobes.choose(ray, bounce, frame, looks);
+        int lobe = Lobes.chosen(ray, bounce, frame);
         Rgb factor = Floats.rgb(ray, Layout.THROUGHPUT);
         for (int channel = 0; channel < CHANNELS; channel++) {
             ray[Layout.THROUGHPUT + channel] *= before[Layout.THROUGHPUT + channel];

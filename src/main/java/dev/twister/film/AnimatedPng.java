@@ -12,12 +12,13 @@ import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 
-/** An animated PNG, which browsers play: 24-bit frames without loss. */
+/** An animated PNG, which browsers play: frames of 24 bits, or 32 with alpha, without loss. */
 final class AnimatedPng implements FilmEncoder {
     private static final long SIGNATURE = 0x89504e470d0a1a0aL;
-    private static final int CHANNELS = 3;
+    private static final int COLORS = 3;
     private static final byte BITS = 8;
     private static final byte TRUE_COLOR = 2;
+    private static final byte TRUE_COLOR_AND_ALPHA = 6;
     private static final byte PERCEPTUAL = 0;
 
     /** PNG filter: each byte minus the byte above. */
@@ -60,7 +61,11 @@ final class AnimatedPng implements FilmEncoder {
                 .out()
                 .write(ByteBuffer.allocate(Long.BYTES).putLong(SIGNATURE).array());
         ByteBuffer header = ByteBuffer.allocate(13).putInt(format.width()).putInt(format.height());
-        chunk("IHDR", header.put(BITS).put(TRUE_COLOR).array());
+        chunk(
+                "IHDR",
+                header.put(BITS)
+                        .put(format.alpha() ? TRUE_COLOR_AND_ALPHA : TRUE_COLOR)
+                        .array());
         chunk("sRGB", new byte[] {PERCEPTUAL});
         chunk("acTL", ByteBuffer.allocate(8).putInt(format.frames()).array());
     }
@@ -120,7 +125,8 @@ final class AnimatedPng implements FilmEncoder {
         ByteArrayOutputStream data = new ByteArrayOutputStream(format.width() * format.height());
         Deflater deflater = new Deflater();
         try (DeflaterOutputStream out = new DeflaterOutputStream(data, deflater, 1 << 16)) {
-            int rowBytes = CHANNELS * format.width();
+            int channels = format.alpha() ? COLORS + 1 : COLORS;
+            int rowBytes = channels * format.width();
             byte[] above = new byte[rowBytes];
             byte[] row = new byte[rowBytes];
             byte[] filtered = new byte[1 + rowBytes];
@@ -128,9 +134,12 @@ final class AnimatedPng implements FilmEncoder {
             for (int y = 0; y < format.height(); y++) {
                 for (int x = 0; x < format.width(); x++) {
                     int pixel = pixels[y * format.width() + x];
-                    row[CHANNELS * x] = (byte) (pixel >> 16);
-                    row[CHANNELS * x + 1] = (byte) (pixel >> 8);
-                    row[CHANNELS * x + 2] = (byte) pixel;
+                    row[channels * x] = (byte) (pixel >> 16);
+                    row[channels * x + 1] = (byte) (pixel >> 8);
+                    row[channels * x + 2] = (byte) pixel;
+                    if (format.alpha()) {
+                        row[channels * x + COLORS] = (byte) (pixel >>> 24);
+                    }
                 }
                 for (int i = 0; i < rowBytes; i++) {
                     filtered[1 + i] = (byte) (row[i] - above[i]);

@@ -7,5 +7,6 @@ package dev.twister.film;
  * @param height in pixels
  * @param rate frames per second
  * @param frames number of frames, 1 or more
+ * @param alpha whether an animated PNG has the pixels' alpha, for colors that are not multiplied by it
  */
-public record FilmFormat(int width, int height, double rate, int frames) {}
+public record FilmFormat(int width, int height, double rate, int frames, boolean alpha) {}

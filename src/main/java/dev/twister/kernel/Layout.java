@@ -701,18 +701,26 @@ public final class Layout {
 
     public static final int TRACED_PATH_LENGTH = 137;
 
-    /** With {@link Guides}: the sums over the pixel's samples. */
-    public static final int GUIDE_ALBEDO = TRACED_PATH_LENGTH;
+    /** With {@link Coverage}: the part of the background that the pixel's samples see, as a sum. */
+    public static final int UNCOVERED = TRACED_PATH_LENGTH;
 
-    public static final int GUIDE_NORMAL = TRACED_PATH_LENGTH + 3;
+    /** 1 while Whitted's tree follows the view straight on, 0 once it has ended, -n while it waits for the n-th ray. */
+    public static final int SIGHT = TRACED_PATH_LENGTH + 1;
+
+    public static final int CUT_PATH_LENGTH = TRACED_PATH_LENGTH + 2;
+
+    /** With {@link Guides}: the sums over the pixel's samples. */
+    public static final int GUIDE_ALBEDO = CUT_PATH_LENGTH;
+
+    public static final int GUIDE_NORMAL = CUT_PATH_LENGTH + 3;
 
     /** What the albedo is multiplied by: the tint of the mirrors and glass so far. */
-    public static final int GUIDE_TINT = TRACED_PATH_LENGTH + 6;
+    public static final int GUIDE_TINT = CUT_PATH_LENGTH + 6;
 
     /** 1 while the sample's guides are looked for, 0 once they are found, -n while they wait for the n-th ray. */
-    public static final int GUIDE_STATE = TRACED_PATH_LENGTH + 9;
+    public static final int GUIDE_STATE = CUT_PATH_LENGTH + 9;
 
-    public static final int GUIDED_PATH_LENGTH = TRACED_PATH_LENGTH + 10;
+    public static final int GUIDED_PATH_LENGTH = CUT_PATH_LENGTH + 10;
 
     /** With {@link LightLayers}: place in the scratch of the layer of the chosen emitter. */
     public static final int EMITTER_LAYER = GUIDED_PATH_LENGTH;

@@ -260,13 +260,31 @@ public final class Lobes {
                     : reflected(path, channel, Math.min(Math.max(viewDotHalf, 0f), 1f), fresnel);
             path[Layout.SCATTERED + channel] = path[Layout.SCATTERED + channel] + weight * part;
         }
-        return facets * (passes != 0 ? path[Layout.CHOICE_GLASS] : path[Layout.CHOICE_MIRROR]);
+        float choice = path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_GLASS];
+        float mirrors = mirrorShare(path, Math.min(Math.max(viewDotHalf, 0f), 1f), fresnel);
+        return facets * choice * (passes != 0 ? 1f - mirrors : mirrors);
+    }
+
+    /** The part of the rays that meet a facet which it reflects; the others pass. */
+    private static float mirrorShare(float[] path, float cosine, float fresnel) {
+        float share = 1f;
+        if (path[Layout.PART_GLASS] > 0f) {
+            float mirror = Math.max(
+                    Math.max(reflected(path, 0, cosine, fresnel), reflected(path, 1, cosine, fresnel)),
+                    reflected(path, 2, cosine, fresnel));
+            float glass = path[Layout.PART_GLASS]
+                    * (1f - fresnel)
+                    * Math.max(Math.max(path[Layout.ALBEDO], path[Layout.ALBEDO + 1]), path[Layout.ALBEDO + 2]);
+            share = glass > 0f ? mirror / (mirror + glass) : 1f;
+        }
+        return share;
     }
 
     /**
      * Chooses a lobe and a direction. Writes the direction and whether it continues inside the body; multiplies the
      * throughput by {@code f * |cos| / density}, which is 0 if the path ends; and writes the density to
-     * {@link Layout#SURFACE_DENSITY}, 0 for a mirror-like lobe.
+     * {@link Layout#SURFACE_DENSITY}, 0 for a mirror-like lobe. A rough surface chooses between reflection and
+     * transmission by what its facet reflects, and writes these probabilities.
      *
      * @param bounce number of surfaces that the path has left before
      */
@@ -279,6 +297,11 @@ public final class Lobes {
         path[Layout.FACET + 2] = path[Layout.NORMAL + 2];
         if (path[Layout.ROUGHNESS] > 0f) {
             Facet.sample(path, first, second);
+            float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.FACET), 0f), 1f);
+            float choice = path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_GLASS];
+            float mirrors = mirrorShare(path, cosine, fresnel(path, cosine));
+            path[Layout.CHOICE_MIRROR] = choice * mirrors;
+            path[Layout.CHOICE_GLASS] = choice * (1f - mirrors);
         }
         int lobe = chosen(path, bounce, frame);
         int matte = lobe == MATTE ? 1 : 0;
@@ -324,7 +347,7 @@ public final class Lobes {
     }
 
     /**
-     * The lobe that {@link #choose} chooses: {@link #MIRROR}, {@link #MATTE} or {@link #GLASS}.
+     * The lobe that {@link #choose} has chosen: {@link #MIRROR}, {@link #MATTE} or {@link #GLASS}.
      *
      * @param bounce number of surfaces that the path has left before
      */

@@ -65,9 +65,14 @@ public final class Path {
             int waiting = (int) path[Layout.WAITING];
             scatter(path, body, visible, lit, scratch, frame, looks, variant);
             Guides.split(path, waiting, variant);
+            Coverage.split(path, body, waiting, frame, looks, variant);
             goesOn = path[Layout.THROUGHPUT] + path[Layout.THROUGHPUT + 1] + path[Layout.THROUGHPUT + 2] > 0f ? 1 : 0;
         }
-        if (body == Layout.NOTHING) {
+        int background = body == Layout.NOTHING ? Coverage.sees(path, variant) : 0;
+        if (background != 0) {
+            Coverage.add(path);
+        }
+        if (((body == Layout.NOTHING ? 1 : 0) & (1 - background)) != 0) {
             SkyLookup.add(path, frame, images);
             if (Views.isGuided(variant) != 0) {
                 SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
@@ -88,6 +93,7 @@ public final class Path {
             if (((goesOn == 0 ? 1 : 0) & (path[Layout.WAITING] > 0f ? 1 : 0)) != 0) {
                 Branch.resume(path, scratch);
                 Guides.resume(path, variant);
+                Coverage.resume(path, variant);
                 goesOn = 1;
             }
         }

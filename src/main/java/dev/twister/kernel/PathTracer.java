@@ -149,7 +149,11 @@ public final class PathTracer {
             float[] images,
             int variant) {
         int toEmitter = 0;
-        if (body == Layout.NOTHING) {
+        int background = body == Layout.NOTHING ? Coverage.traces(bounce, variant) : 0;
+        if (background != 0) {
+            Coverage.add(path);
+        }
+        if (((body == Layout.NOTHING ? 1 : 0) & (1 - background)) != 0) {
             addSuns(path, bounce, scratch, frame, looks, variant);
             addSky(path, bounce, scratch, frame, looks, images, variant);
         }

@@ -33,11 +33,13 @@ public final class PixelKernel {
         path[Layout.RADIANCE + 2] = 0f;
         Views.start(path, variant);
         Guides.start(path, variant);
+        Coverage.start(path, variant);
         LightLayers.start(scratch, frame, variant);
         for (int sample = 0; sample < samples; sample++) {
             start(path, column, row, sample, frame);
             Medium.begin(path, frame, variant);
             Guides.begin(path, variant);
+            Coverage.begin(path, variant);
             add(path, scratch, frame, bodies, looks, meshes, images, variant);
         }
         Views.finish(path, variant);
@@ -103,6 +105,9 @@ public final class PixelKernel {
         float average = average(frame);
         Guides.store(layers, 3 * pixel, plane, path, average, variant);
         LightLayers.store(layers, 3 * pixel + Guides.LAYERS * plane, plane, scratch, average, frame, variant);
+        int guides = Views.isGuided(variant) != 0 ? Guides.LAYERS : 0;
+        int lights = Views.isLayered(variant) != 0 ? (int) frame[Layout.LIGHT_LAYERS] : 0;
+        Coverage.store(layers, 3 * pixel + (guides + lights) * plane, path, frame, variant);
     }
 
     /** Starts a sample's view ray. */

@@ -47,6 +47,15 @@ public final class Views {
     /** As {@link #GUIDED}, with {@link LightLayers} as further layers. */
     public static final int LAYERED = 12;
 
+    /** As {@link #FULL}, without the background, and with {@link Coverage} as the last layer. */
+    public static final int CUT = 13;
+
+    /** As {@link #GUIDED}, without the background, and with {@link Coverage} as the last layer. */
+    public static final int CUT_GUIDED = 14;
+
+    /** As {@link #LAYERED}, without the background, and with {@link Coverage} as the last layer. */
+    public static final int CUT_LAYERED = 15;
+
     private Views() {}
 
     /** 1 if the value is known at the first hit, else 0. */
@@ -61,12 +70,18 @@ public final class Views {
 
     /** 1 if the picture has guides, else 0. */
     public static int isGuided(int variant) {
-        return Variant.stageOrView(variant) >= GUIDED ? 1 : 0;
+        return (Variant.stageOrView(variant) >= GUIDED ? 1 : 0) & (Variant.stageOrView(variant) == CUT ? 0 : 1);
     }
 
     /** 1 if the picture has a layer for each group of lights, else 0. */
     public static int isLayered(int variant) {
-        return Variant.stageOrView(variant) == LAYERED ? 1 : 0;
+        return (Variant.stageOrView(variant) == LAYERED ? 1 : 0)
+                | (Variant.stageOrView(variant) == CUT_LAYERED ? 1 : 0);
+    }
+
+    /** 1 if the picture has no background, else 0. */
+    public static int isCut(int variant) {
+        return Variant.stageOrView(variant) >= CUT ? 1 : 0;
     }
 
     /** Resets the count of a pixel, if what is rendered is a count. */

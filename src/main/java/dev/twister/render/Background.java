@@ -4,6 +4,9 @@ package dev.twister.render;
 public enum Background {
     /** The scene's sky. */
     SKY,
-    /** Nothing: these pixels of a PNG are transparent. The sky still lights the bodies and is reflected in them. */
+    /**
+     * Nothing: these pixels are transparent, and those of edges in part. The sky still lights the bodies and is
+     * reflected in them.
+     */
     NONE
 }

@@ -4,6 +4,7 @@ import dev.twister.denoise.Denoiser;
 import dev.twister.denoise.NoisyPicture;
 import dev.twister.denoise.NoisyPicture.Guides;
 import dev.twister.denoise.Plane;
+import dev.twister.image.AlphaChannel;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrPicture.ExrChannel;
 import java.util.ArrayList;
@@ -44,6 +45,7 @@ public record DenoisedPicture(ExrPicture picture, boolean guided, long notFinite
                 denoised[i] = Float.isFinite(noisy[i]) ? noisy[i] : 0;
             }
         }
+        AlphaChannel.of(picture).ifPresent(alpha -> alpha.cut(denoised));
         List<ExrChannel> channels = new ArrayList<>(picture.channels());
         channels.removeIf(channel ->
                 PictureLayers.COLORS.contains(channel.name()) || PictureLayers.NOISY.contains(channel.name()));

@@ -5,6 +5,7 @@ import dev.twister.denoise.NoisyPicture;
 import dev.twister.denoise.Plane;
 import dev.twister.engine.Engine;
 import dev.twister.files.TwisterVersion;
+import dev.twister.image.AlphaChannel;
 import dev.twister.image.ExrPicture.ExrChannel;
 import dev.twister.image.Frame;
 import dev.twister.image.JoinedPicture;
@@ -47,7 +48,7 @@ final class PictureDrawing implements AutoCloseable {
     Provenance provenance(FrameInput whole) {
         String software = "Twister " + TwisterVersion.text();
         String drawn = order.pictures().stream().map(StageOrView::id).collect(Collectors.joining(","))
-                + (order.output().background() == Background.NONE ? ", no background" : "");
+                + (order.output().isCut() ? ", no background" : "");
         return new Provenance(
                 software,
                 digest.of(
@@ -68,16 +69,14 @@ final class PictureDrawing implements AutoCloseable {
     }
 
     private RenderedView draw(StageOrView wanted, FrameInput input, RenderProgress progress) {
-        if (order.output().background() == Background.NONE) {
-            return new RenderedView(
-                    wanted, Cutout.draw(engine(), input, order.sampling().samples(), progress), List.of());
-        }
         boolean guided = order.finishing().guides(wanted);
-        boolean asRadiance = order.output().isLinear() || !wanted.isColor() || guided;
-        FrameInput shown = guided ? lightGroups.map(input::withLightLayers).orElseGet(input::withGuides) : input;
+        boolean cut = order.output().isCut() && Finishing.isFull(wanted);
+        boolean asRadiance = order.output().isLinear() || !wanted.isColor() || guided || cut;
+        FrameInput layered = guided ? lightGroups.map(input::withLightLayers).orElseGet(input::withGuides) : input;
+        FrameInput shown = cut ? layered.withoutBackground() : layered;
         BandedDrawing.Drawn picture = BandedDrawing.draw(engine(), shown, order.sampling(), asRadiance, progress);
         List<ExrChannel> samples = samples(picture.samples());
-        return guided ? finished(wanted, shown, picture, samples) : new RenderedView(wanted, picture, samples);
+        return guided || cut ? finished(wanted, shown, picture, samples) : new RenderedView(wanted, picture, samples);
     }
 
     /** The number of samples of each pixel, if they differ and there is one picture alone. */
@@ -91,17 +90,27 @@ final class PictureDrawing implements AutoCloseable {
             StageOrView wanted, FrameInput shown, BandedDrawing.Drawn drawn, List<ExrChannel> samples) {
         GuidedPicture guided = new GuidedPicture(
                 drawn.frame(), lightGroups.map(LightGroups::names).orElse(List.of()));
+        Optional<AlphaChannel> alpha = shown.isCut() ? Optional.of(AlphaChannel.of(drawn.frame())) : Optional.empty();
         boolean denoises = order.finishing().denoiser().isPresent();
         Frame frame = denoises ? guided.denoised(denoiser()) : drawn.frame();
-        Frame written = order.output().isLinear() ? frame : toned(frame, shown);
-        List<ExrChannel> layers = new ArrayList<>(guided.channels(denoises));
-        layers.addAll(samples);
+        if (denoises) {
+            alpha.ifPresent(channel -> channel.cut(frame.radiance()));
+        }
+        Frame written = order.output().isLinear() ? frame : toned(frame, shown, alpha);
+        List<ExrChannel> layers = new ArrayList<>(samples);
+        alpha.ifPresent(channel -> layers.add(channel.channel()));
+        if (order.finishing().guides(wanted)) {
+            layers.addAll(guided.channels(denoises));
+        }
         return new RenderedView(wanted, drawn.with(written), layers);
     }
 
-    private static Frame toned(Frame linear, FrameInput input) {
+    private static Frame toned(Frame linear, FrameInput input, Optional<AlphaChannel> alpha) {
         Frame pixels = Frame.ofPixels(linear.width(), linear.height());
-        TonedPixels.write(linear.radiance(), input, pixels.argb());
+        float[] colors =
+                alpha.map(channel -> channel.straight(linear.radiance())).orElse(linear.radiance());
+        TonedPixels.write(colors, input, pixels.argb());
+        alpha.ifPresent(channel -> channel.put(pixels.argb()));
         pixels.setTimes(linear.times());
         return pixels;
     }

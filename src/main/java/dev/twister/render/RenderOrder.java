@@ -32,6 +32,12 @@ public record RenderOrder(
         return new RenderOrder(scene, engine, pictures, otherSampling, part, movement, otherFinish, output);
     }
 
+    /** The same over another background. */
+    public RenderOrder over(Background background) {
+        RenderOutput other = new RenderOutput(output.file(), output.frames(), output.existing(), background);
+        return new RenderOrder(scene, engine, pictures, sampling, part, movement, finishing, other);
+    }
+
     /** The size of each picture. */
     public PictureSize size() {
         return new PictureSize(scene.rendering().width(), scene.rendering().height());

@@ -11,7 +11,7 @@ import java.util.Optional;
  * @param file the film or picture, a pattern of {@link NumberedFiles}, or {@link WholeFile#STANDARD_OUTPUT}
  * @param frames empty for a single picture
  * @param existing applies to numbered files; any other file is replaced
- * @param background {@link Background#NONE} for PNG pictures only
+ * @param background {@link Background#NONE} for files with alpha: .png, .exr and .apng
  */
 public record RenderOutput(Path file, Optional<FrameRange> frames, ExistingFrames existing, Background background) {
     private static final FrameRange SINGLE = FrameRange.ofCount(1);
@@ -33,6 +33,11 @@ public record RenderOutput(Path file, Optional<FrameRange> frames, ExistingFrame
     /** Format of the pictures; PNG if the name has no known ending. */
     public PictureFormat format() {
         return PictureFormat.of(file).orElse(PictureFormat.PNG);
+    }
+
+    /** Whether pictures have no background. */
+    public boolean isCut() {
+        return background == Background.NONE;
     }
 
     /** Whether radiance is written instead of pixels. */

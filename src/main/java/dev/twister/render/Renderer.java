@@ -18,7 +18,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /** Renders an order to its files. Files are written in the background while the next frames are rendered. */
 public final class Renderer {
@@ -65,7 +64,9 @@ public final class Renderer {
     /** Memory that rendering and writing takes, in bytes per pixel. */
     public static long bytesPerPixel(RenderOrder order) {
         RenderOutput output = order.output();
-        long finishing = order.finishing().bytesPerPixel();
+        // Without background, linear colors and alpha.
+        long cut = output.isCut() ? 2 * BandedDrawing.bytesPerPixel(true) : 0;
+        long finishing = order.finishing().bytesPerPixel() + cut;
         if (output.isFilm()) {
             return (1L + FilmWriting.WAITING) * BandedDrawing.bytesPerPixel(false) + finishing;
         }
@@ -99,18 +100,15 @@ public final class Renderer {
                     ? recorded.file().firstFrame()
                     : 0;
             FrameInput input = shown.frame(start).showing(first);
-            // What is not in the picture does not count.
-            OptionalDouble stops = output.background() == Background.NONE
-                    ? ExposureMeter.stops(input, Cutout::radiance)
-                    : ExposureMeter.stops(input);
-            shown.setExposure(stops.orElseThrow(BlackPictureException::new));
+            shown.setExposure(ExposureMeter.stops(output.isCut() ? input.withoutBackground() : input)
+                    .orElseThrow(BlackPictureException::new));
         }
     }
 
     private RenderResult film() throws IOException {
         FrameRange frames = output.range();
         FilmFormat format = new FilmFormat(
-                order.size().width(), order.size().height(), order.movement().rate(), frames.count());
+                order.size().width(), order.size().height(), order.movement().rate(), frames.count(), output.isCut());
         RenderResult.Samples samples = RenderResult.Samples.NONE;
         try (FilmWriting writing = new FilmWriting(FilmFile.of(output.file()), format)) {
             for (int number : frames.numbers().toArray()) {
@@ -179,8 +177,7 @@ public final class Renderer {
     }
 
     private void write(int number, List<RenderedView> drawn, FrameInput part, Provenance made) throws IOException {
-        boolean alpha = output.background() == Background.NONE;
-        output.format().write(output.file(number), drawn, part, alpha, made);
+        output.format().write(output.file(number), drawn, part, output.isCut(), made);
     }
 
     /** The exposure should be set by a picture without any light. */

@@ -274,11 +274,26 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
 
     /**
      * Number of layers of a linear frame beside the radiance: albedo and normal if there are guides, then those of
-     * light.
+     * light, then alpha if there is no background.
      */
     public int layers() {
-        int lights = stageOrView() == Views.LAYERED ? (int) view.frame()[Layout.LIGHT_LAYERS] : 0;
-        return (stageOrView() >= Views.GUIDED ? Guides.LAYERS : 0) + lights;
+        int variant = Variant.of(stageOrView());
+        int lights = Views.isLayered(variant) != 0 ? (int) view.frame()[Layout.LIGHT_LAYERS] : 0;
+        return (Views.isGuided(variant) != 0 ? Guides.LAYERS : 0) + lights + Views.isCut(variant);
+    }
+
+    /**
+     * The same picture without its background, for linear frames alone: colors are multiplied by alpha, which is the
+     * last layer; to be chosen after guides and layers of light.
+     */
+    public FrameInput withoutBackground() {
+        int cut = stageOrView() == Views.FULL ? Views.CUT : stageOrView() + Views.CUT_GUIDED - Views.GUIDED;
+        return with(new View(view.frame(), cut));
+    }
+
+    /** Whether the picture has no background. */
+    public boolean isCut() {
+        return Views.isCut(Variant.of(stageOrView())) != 0;
     }
 
     private FrameInput with(View newView) {

@@ -105,9 +105,10 @@ class RenderMeshTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
             benchmark | a.png | --up z | --up, --rotate, --scene and --animation are for mesh files
-            benchmark | a.exr | --background none | --background none needs a .png file
-            benchmark | a.png | --background none --view normal | --background none needs a .png file
-            benchmark | a.png | --background none --noise 0.1 | --background none excludes --noise
+            benchmark | a.hdr | --background none | --background none needs a .png, .exr or .apng file
+            benchmark | a.mp4 | --background none --turntable 1 | --background none needs an .apng file
+            benchmark | a.png | --background none --view normal | --background none needs the full picture
+            benchmark | a.png | --background none --stage colors | --background none needs the full picture
             benchmark | a.png | --background blue | unknown value 'blue'; expected one of: sky, none
             . | a.png | --up z | --output is
             a.obj | a.png | --rotate 1,2 | --rotate has 2 angles

@@ -33,7 +33,7 @@ class AnimatedPngTest {
     @Test
     void hasEveryFrameWithItsTime() throws IOException {
         Path file = folder.resolve("film.apng");
-        try (FilmEncoder film = AnimatedPng.begin(file, new FilmFormat(2, 2, 60, 2))) {
+        try (FilmEncoder film = AnimatedPng.begin(file, new FilmFormat(2, 2, 60, 2, false))) {
             film.add(FRAMES[0]);
             film.add(FRAMES[1]);
             film.finish();
@@ -57,9 +57,21 @@ class AnimatedPngTest {
     }
 
     @Test
+    void keepsAlpha() throws IOException {
+        Path file = folder.resolve("film.apng");
+        int[] pixels = {0x00000000, 0x40102030, 0x80ff0000, 0xffa0b0c0};
+        try (FilmEncoder film = AnimatedPng.begin(file, new FilmFormat(2, 2, 60, 1, true))) {
+            film.add(pixels);
+            film.finish();
+        }
+
+        assertThat(ImageIO.read(file.toFile()).getRGB(0, 0, 2, 2, null, 0, 2)).isEqualTo(pixels);
+    }
+
+    @Test
     void isRefusedIfFramesAreMissing() throws IOException {
         Path file = Files.writeString(folder.resolve("film.apng"), "earlier");
-        try (FilmEncoder film = AnimatedPng.begin(file, new FilmFormat(2, 2, 60, 2))) {
+        try (FilmEncoder film = AnimatedPng.begin(file, new FilmFormat(2, 2, 60, 2, false))) {
             film.add(FRAMES[0]);
 
             assertThatIOException()

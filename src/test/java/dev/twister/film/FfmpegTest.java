@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 @DisabledOnOs(OS.WINDOWS)
 class FfmpegTest {
-    private static final FilmFormat FORMAT = new FilmFormat(2, 2, 60, 2);
+    private static final FilmFormat FORMAT = new FilmFormat(2, 2, 60, 2, false);
     private static final int[] FRAME = {0xff010203, 0xff040506, 0xff070809, 0xff0a0b0c};
 
     @TempDir
@@ -50,7 +50,7 @@ class FfmpegTest {
         Ffmpeg ffmpeg = program("");
 
         assertThatIOException()
-                .isThrownBy(() -> ffmpeg.begin(folder.resolve("small.mp4"), new FilmFormat(1, 1, 60, 2)))
+                .isThrownBy(() -> ffmpeg.begin(folder.resolve("small.mp4"), new FilmFormat(1, 1, 60, 2, false)))
                 .withMessageContaining("frames of 1 x 1 pixels are too small for H.264");
         assertThat(folder.toFile().list()).containsExactly("ffmpeg");
     }

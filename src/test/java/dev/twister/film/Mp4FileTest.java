@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class Mp4FileTest {
-    private static final FilmFormat FORMAT = new FilmFormat(16, 16, 60, 30);
+    private static final FilmFormat FORMAT = new FilmFormat(16, 16, 60, 30, false);
 
     @TempDir
     private Path folder;

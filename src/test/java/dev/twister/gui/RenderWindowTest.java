@@ -114,13 +114,14 @@ class RenderWindowTest {
 
     @Tag("slow")
     @Test
-    void writesTheLightOfGroupsUpToANoise() throws IOException {
+    void writesAlphaAndTheLightOfGroupsUpToANoise() throws IOException {
         Path file = folder.resolve("layers.exr");
         try (WindowDriver driver = open()) {
             driver.files.choose(file);
             assertThat(find("render-light-layers", CheckBox.class).isDisabled()).isTrue();
             driver.run(() -> formats().setValue(RenderFormat.EXR));
             driver.run(() -> find("render-light-layers", CheckBox.class).fire());
+            driver.run(() -> find("render-transparent", CheckBox.class).fire());
             driver.run(() ->
                     find("render-noise", ComboBox.class).getSelectionModel().select(1));
             type(driver, "render-samples-per-pixel", "64");
@@ -136,7 +137,7 @@ class RenderWindowTest {
 
         assertThat(ExrReader.read(file).channels())
                 .extracting(ExrChannel::name)
-                .contains("R", "light-lights.R", "light-sky.R", "guide-albedo.R", "samples.Y");
+                .contains("R", "A", "light-lights.R", "light-sky.R", "guide-albedo.R", "samples.Y");
     }
 
     @Test

@@ -90,7 +90,12 @@ final class FilmCommand implements Callable<Integer> {
         List<Path> pictures = pictures();
         PictureSize size = PngNotes.of(pictures.getFirst()).size();
         FilmFile film = FilmOutput.of(output, spec.commandLine().getErr());
-        FilmFormat format = new FilmFormat(size.width(), size.height(), framesPerSecond, pictures.size());
+        FilmFormat format = new FilmFormat(
+                size.width(), size.height(), framesPerSecond, pictures.size(), isTransparent(pictures.getFirst()));
+        if (format.alpha() && film.ffmpeg().isPresent()) {
+            throw new BadInputException(
+                    "--output is " + output + ", but the frames are transparent, which only an .apng file can be");
+        }
         try (FilmWriting writing = new FilmWriting(film, format);
                 ProgressLine line = progress.start(spec.commandLine(), "encoding", pictures.size())) {
             for (Path picture : pictures) {
@@ -144,6 +149,10 @@ final class FilmCommand implements Callable<Integer> {
         int[] pixels = image.getRGB(
                 0, 0, format.width(), format.height(), new int[format.width() * format.height()], 0, format.width());
         return EncodedPixels.of(pixels, !notes.linear());
+    }
+
+    private static boolean isTransparent(Path file) throws IOException {
+        return read(file).getColorModel().hasAlpha();
     }
 
     private static BufferedImage read(Path file) throws IOException {

@@ -4,6 +4,7 @@ import dev.twister.cli.file.BadInputException;
 import dev.twister.cli.file.OutputFile;
 import dev.twister.cli.option.ToneOptions;
 import dev.twister.engine.AutoExposure;
+import dev.twister.image.AlphaChannel;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrWriter;
 import dev.twister.image.HdrWriter;
@@ -44,11 +45,15 @@ final class LinearPictureFile {
         } else if (OutputFile.endsIn(output, ".hdr")) {
             HdrWriter.write(output, picture.width(), picture.height(), radiance(picture), made);
         } else {
-            float[] radiance = radiance(picture);
+            Optional<AlphaChannel> alpha = AlphaChannel.of(picture);
+            float[] colors = radiance(picture);
+            float[] radiance = alpha.map(channel -> channel.straight(colors)).orElse(colors);
             Rendering settings = tone.over(FileDisplay.settings(Optional.of(made)));
             int[] pixels = TonedPixels.of(
                     radiance, tone.metered(settings, () -> AutoExposure.stops(radiance, settings.srgb())));
-            PngWriter.write(output, picture.width(), picture.height(), pixels, settings.srgb(), false, made);
+            alpha.ifPresent(channel -> channel.put(pixels));
+            PngWriter.write(
+                    output, picture.width(), picture.height(), pixels, settings.srgb(), alpha.isPresent(), made);
         }
     }
 

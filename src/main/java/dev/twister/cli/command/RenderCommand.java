@@ -32,6 +32,7 @@ import dev.twister.image.PictureSize;
 import dev.twister.motion.MotionFile;
 import dev.twister.render.Background;
 import dev.twister.render.ExistingFrames;
+import dev.twister.render.Finishing;
 import dev.twister.render.FrameRange;
 import dev.twister.render.PictureFormat;
 import dev.twister.render.RenderOrder;
@@ -133,8 +134,8 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--background",
             paramLabel = "BACKGROUND",
-            description = "sky (the default), or none: a PNG is transparent where there is no body, and a mesh file has"
-                    + " no floor.")
+            description = "sky (the default), or none: a .png, .exr or .apng is transparent where there is no body, and"
+                    + " a mesh file has no floor.")
     private Background background = Background.SKY;
 
     @Mixin
@@ -177,8 +178,9 @@ final class RenderCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         film.check(motion);
         samples.check(views.pictures());
-        if (background == Background.NONE && (samples.isNoiseGiven() || denoising.isOn())) {
-            throw new BadInputException("--background none excludes --noise and --denoise; give --samples");
+        if (background == Background.NONE && views.pictures().stream().noneMatch(Finishing::isFull)) {
+            throw new BadInputException("--background none needs the full picture; add the view beauty, or leave"
+                    + " --stage and --view out");
         }
         part.check(output, samples, views.pictures().size());
         denoising.check(output, views.pictures(), part);
@@ -280,15 +282,19 @@ final class RenderCommand implements Callable<Integer> {
         if (FilmFile.isFilm(picture)) {
             checkFilm();
             Path written = FilmOutput.of(picture, spec.commandLine().getErr()).file();
-            return new RenderOutput(written, frames, ExistingFrames.REPLACED, Background.SKY);
+            return new RenderOutput(written, frames, ExistingFrames.REPLACED, background);
         }
         return PictureOutput.of(picture, frames, film.existing(), views.pictures(), background);
     }
 
     private void checkFilm() {
-        if (film.skipsExisting() || views.pictures().size() > 1 || background == Background.NONE) {
-            throw new BadInputException("--output is " + output + ", a film, which excludes --skip-existing,"
-                    + " --background none and several views; render frames, and join them by 'twister film'");
+        if (film.skipsExisting() || views.pictures().size() > 1) {
+            throw new BadInputException("--output is " + output + ", a film, which excludes --skip-existing"
+                    + " and several views; render frames, and join them by 'twister film'");
+        }
+        if (background == Background.NONE && !OutputFile.endsIn(output, ".apng")) {
+            throw new BadInputException("--output is " + output + ", but a film with --background none needs an .apng"
+                    + " file, or numbered frames");
         }
     }
 

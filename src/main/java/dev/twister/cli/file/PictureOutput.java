@@ -35,10 +35,9 @@ public final class PictureOutput {
             List<StageOrView> pictures,
             Background background) {
         RenderOutput output = new RenderOutput(file, frames, existing, background);
-        if (background == Background.NONE
-                && (output.format() != PictureFormat.PNG || !pictures.equals(List.of(StageOrView.BEAUTY)))) {
+        if (output.isCut() && output.format() == PictureFormat.HDR) {
             throw new BadInputException(
-                    "--background none needs a .png file, without --stage and --view; --output is " + file);
+                    "--output is " + file + ", but --background none needs a .png, .exr or .apng file");
         }
         if (pictures.size() > 1 && output.format() != PictureFormat.EXR) {
             throw new BadInputException(OPTION + " is " + file + ", but --view has " + pictures.size()

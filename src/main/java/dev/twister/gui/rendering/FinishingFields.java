@@ -4,6 +4,7 @@ import dev.twister.denoise.DenoiserOffer;
 import dev.twister.denoise.Denoisers;
 import dev.twister.gui.controls.PlainBox;
 import dev.twister.gui.drawing.RefinementGoal;
+import dev.twister.render.Background;
 import dev.twister.render.Finishing;
 import dev.twister.render.RenderOrder;
 import dev.twister.render.Sampling;
@@ -12,10 +13,11 @@ import java.util.concurrent.CompletableFuture;
 import javafx.application.Platform;
 import javafx.scene.control.CheckBox;
 
-/** What is done about noise, and which layers a file gets. */
+/** What is done about noise, and which layers and background a file gets. */
 final class FinishingFields {
     private final PlainBox<Double> noise;
     private final DenoiserChoice denoiser;
+    private final CheckBox transparent = new CheckBox("transparent, in PNG and OpenEXR files");
     private final CheckBox lightLayers = new CheckBox("in OpenEXR files; File > View picture changes them");
 
     /** @param changed called when a person has chosen */
@@ -23,6 +25,8 @@ final class FinishingFields {
         noise = new PlainBox<>("render-noise", RefinementGoal::noiseLabel, changed);
         noise.offer(RefinementGoal.NOISES, Optional.of(RefinementGoal.NO_NOISE));
         denoiser = new DenoiserChoice(changed);
+        transparent.setId("render-transparent");
+        transparent.setOnAction(_ -> changed.run());
         lightLayers.setId("render-light-layers");
         lightLayers.setOnAction(_ -> changed.run());
     }
@@ -33,6 +37,10 @@ final class FinishingFields {
 
     CheckBox denoiser() {
         return denoiser.box();
+    }
+
+    CheckBox transparent() {
+        return transparent;
     }
 
     CheckBox lightLayers() {
@@ -47,6 +55,7 @@ final class FinishingFields {
     /** Offers what a file of the format can hold. */
     void follow(RenderFormat format) {
         lightLayers.setDisable(!format.hasLayers());
+        transparent.setDisable(!format.hasAlpha());
     }
 
     /**
@@ -60,12 +69,16 @@ final class FinishingFields {
                         + Sampling.LEAST_CONVERGING + " are needed");
     }
 
-    /** The order with the chosen noise, denoiser and layers, as far as its picture can have them. */
+    /** The order with the chosen noise, denoiser, layers and background, as far as its picture can have them. */
     RenderOrder applyTo(RenderOrder order, RenderFormat format) {
         boolean color = order.pictures().getFirst().isColor();
         Sampling sampling = new Sampling(order.sampling().samples(), goal().filter(_ -> color));
         boolean layers = format.hasLayers() && lightLayers.isSelected();
-        return order.with(sampling, new Finishing(false, false, layers, denoiser.choice()));
+        boolean cut = format.hasAlpha()
+                && transparent.isSelected()
+                && order.pictures().stream().anyMatch(Finishing::isFull);
+        return order.with(sampling, new Finishing(false, false, layers, denoiser.choice()))
+                .over(cut ? Background.NONE : Background.SKY);
     }
 
     private Optional<Double> goal() {

@@ -85,6 +85,7 @@ final class RenderForm extends GridPane {
         addRow("Stop at no_ise", finishing.noise(), finishing.noise());
         addRow("De_noise", finishing.denoiser(), finishing.denoiser());
         addRow("_Format", format, format);
+        addRow("_Background", finishing.transparent(), finishing.transparent());
         addRow("_Light layers", finishing.lightLayers(), finishing.lightLayers());
         estimate.setId("render-estimate");
         estimate.getStyleClass().add("hint");

@@ -54,6 +54,11 @@ public enum RenderFormat {
         return this == EXR || this == EXR_FRAMES;
     }
 
+    /** Whether a file has alpha, so that its pictures need no background. */
+    public boolean hasAlpha() {
+        return this != HDR && this != MP4;
+    }
+
     /** The file name for a stem, with the number's placeholder if files are numbered. */
     public String fileName(String stem) {
         return stem + (isNumbered() ? "-####" : "") + ending;

@@ -121,6 +121,16 @@ final class PathsInLanesTest {
         assertLayersAreSame(world.snapshot().withLightLayers(world.lightGroups()));
     }
 
+    /** Without background; masked and blended meshes among them. */
+    @ParameterizedTest
+    @ValueSource(strings = {"lamps", "maps"})
+    void alphaIsTheSame(String name) {
+        World world = world(name, 23, 17, 4);
+        assertLayersAreSame(world.snapshot().withoutBackground());
+        assertLayersAreSame(
+                world.snapshot().withLightLayers(world.lightGroups()).withoutBackground());
+    }
+
     private static void assertLayersAreSame(FrameInput input) {
         try (Engine vector = VectorEngines.open(2, CROWD)) {
             assertSame(vector, input.withSamples(1, 3));

@@ -61,6 +61,22 @@ class ViewsOnDeviceTest {
         }
     }
 
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("devices")
+    void alphaIsSequentials(EngineOffer offer) {
+        for (String name : new String[] {"cornell", "glass", "benchmark", "maps"}) {
+            Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
+            SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
+            World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
+            world.setSettings(small(scene.rendering()));
+            try (Engine engine = offer.opener().get()) {
+                Pictures.requireSequentialsRadiance(engine, world.snapshot().withoutBackground());
+                Pictures.requireSequentialsRadiance(
+                        engine, world.snapshot().withGuides().withoutBackground());
+            }
+        }
+    }
+
     static Stream<Object[]> projectionsOnDevices() {
         return Devices.namedOffers().stream()
                 .flatMap(offer ->

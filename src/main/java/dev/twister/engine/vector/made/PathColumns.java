@@ -80,8 +80,8 @@ public final class PathColumns {
         meshes = input.bodies().meshes();
         images = input.images();
         variant = frameVariant;
-        boolean layered = input.stageOrView() == Views.LAYERED;
-        endOfLayers = Layout.SCRATCH_LAYERS + (layered ? 3 * (int) frame[Layout.LIGHT_LAYERS] : 0);
+        int layers = Views.isLayered(variant) != 0 ? (int) frame[Layout.LIGHT_LAYERS] : 0;
+        endOfLayers = Layout.SCRATCH_LAYERS + 3 * layers;
     }
 
     /** Place in {@link #floats} of a path's float. */
