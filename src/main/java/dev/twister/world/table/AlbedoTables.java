@@ -47,8 +47,9 @@ final class AlbedoTables {
         float[] tables = new float[DirectionalAlbedo.TABLES * DirectionalAlbedo.TABLE_LENGTH];
         int places = DirectionalAlbedo.COSINES * DirectionalAlbedo.ROUGHNESSES;
         IntStream.range(0, places).parallel().forEach(place -> {
-            double root = place % DirectionalAlbedo.COSINES / (DirectionalAlbedo.COSINES - 1.0);
-            double roughness = place / DirectionalAlbedo.COSINES / (DirectionalAlbedo.ROUGHNESSES - 1.0);
+            int row = place / DirectionalAlbedo.COSINES;
+            double root = (place - DirectionalAlbedo.COSINES * row) / (DirectionalAlbedo.COSINES - 1.0);
+            double roughness = row / (DirectionalAlbedo.ROUGHNESSES - 1.0);
             double[] albedos = albedos(roughness * roughness, Math.max(root * root, LEAST_COSINE), ior);
             for (int table = 0; table < DirectionalAlbedo.TABLES; table++) {
                 tables[table * DirectionalAlbedo.TABLE_LENGTH + place] = (float) albedos[table];
