@@ -62,6 +62,9 @@ public final class Lobes {
                 (path[Layout.ROUGHNESS] > 0f ? 0 : 1) | ((transmission > 0f ? 1 : 0) & (ior < LEAST_ROUGH_IOR ? 1 : 0));
         path[Layout.ROUGHNESS] = smooth != 0 ? 0f : path[Layout.ROUGHNESS];
         path[Layout.COAT_ALBEDO] = 0f;
+        for (int channel = 0; channel < 3; channel++) {
+            path[Layout.SCATTERED_AGAIN + channel] = 0f;
+        }
         if (fresnel != 0) {
             keep(path, (int) looks[Layout.LOOK_STRIDE * body + Layout.LOOK_ALBEDOS], looks);
         }

@@ -53,9 +53,10 @@ final class RoughAlbedo {
         Vector toViewer = new Vector(Math.sqrt(1 - cosine * cosine), 0, cosine);
         double sum = 0;
         for (int i = 0; i < STEPS * STEPS; i++) {
+            int row = i / STEPS;
             // An irrational shift of each row avoids a grid's steps.
-            double turns = (i % STEPS + (i / STEPS) * 0.6180339887 % 1) / STEPS;
-            Vector facet = surface.facet(NORMAL, toViewer, turns, (i / STEPS + 0.5) / STEPS);
+            double turns = (i % STEPS + row * 0.6180339887 % 1) / STEPS;
+            Vector facet = surface.facet(NORMAL, toViewer, turns, (row + 0.5) / STEPS);
             double dot = Math.clamp(toViewer.dot(facet), 0, 1);
             double fresnel = mirror ? 1 : Fresnel.reflectance(dot, ratio);
             Vector reflected = facet.times(2 * dot).minus(toViewer);
