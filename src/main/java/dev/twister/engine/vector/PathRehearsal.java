@@ -25,8 +25,11 @@ final class PathRehearsal {
     /** The rehearsal gives up after this much of its own time, so that a render loses no more by it. */
     private static final long MOST_NANOS = 6_000_000_000L;
 
-    /** A tile's samples that are followed. */
-    private static final int MOST_SAMPLES = 4;
+    /** A tile's samples that are followed, of a part of its pixels. */
+    private static final int FEW_SAMPLES = 4;
+
+    /** Of all its pixels: with fewer paths their ends, in which few lanes run, would count for more than in a render. */
+    private static final int MOST_SAMPLES = 32;
 
     /** Rehearsals of whole tiles that must be faster. */
     private static final int WINS = 3;
@@ -94,7 +97,7 @@ final class PathRehearsal {
                 && allNanos < MOST_NANOS
                 && (isRunning || isUsual)) {
             if (!isRunning) {
-                int samples = Math.min(MOST_SAMPLES, drawing.pixelSamples);
+                int samples = Math.min(pixels < Tile.SIZE ? FEW_SAMPLES : MOST_SAMPLES, drawing.pixelSamples);
                 paths.begin(drawing, pixels, samples, false);
                 nanosToBeat = nanos * pixels * samples / ((long) Tile.SIZE * drawing.pixelSamples);
                 spentNanos = 0;
