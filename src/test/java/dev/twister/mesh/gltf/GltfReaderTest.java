@@ -143,6 +143,7 @@ class GltfReaderTest {
                                 .withColor(new Rgb(1, 0.5, 0))
                                 .withRoughness(0.25)
                                 .withTransmission(1)
+                                .withThinWalled(true)
                                 .withIor(1.33),
                         Material.DEFAULT.withMetallic(1),
                         Material.DEFAULT

@@ -10,7 +10,7 @@ import java.lang.classfile.attribute.CodeAttribute;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Checks that the JVM compiles the lanes that are made of the kernel: it interprets larger methods for good. */
+/** Checks that the JVM compiles the lanes that are made of the kernel: larger methods it only interprets. */
 final class MethodSizesTest {
     /** HotSpot's HugeMethodLimit, in bytes of bytecode. */
     private static final int MOST_BYTES = 8000;
