@@ -406,7 +406,7 @@ class BodiesTest {
     @Test
     void deleteWithoutASelectionDeletesNothing() {
         driver.type(KeyCode.DELETE);
-        driver.run(() -> driver.studio.selection().select(Layout.LIGHT));
+        driver.run(() -> driver.studio.selection().select(BodyNumber.LIGHT));
         driver.type(KeyCode.DELETE);
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
@@ -508,11 +508,11 @@ class BodiesTest {
 
     @Test
     void theLightIsMovedToo() {
-        driver.run(() ->
-                driver.studio.edit("light", scene -> BodyEdits.moved(scene, Layout.LIGHT, new Vector3(-1.2, 3, 0))));
+        driver.run(() -> driver.studio.edit(
+                "light", scene -> BodyEdits.moved(scene, BodyNumber.LIGHT, new Vector3(-1.2, 3, 0))));
         awaitRest();
         click(seenAt(Layout.LIGHT));
-        assertThat(selected()).isEqualTo(Layout.LIGHT);
+        assertThat(selected()).isEqualTo(BodyNumber.LIGHT);
         drag(seenAt(Layout.LIGHT), 40, 0);
         assertThat(scene().lights().first().position().x()).isGreaterThan(-1.1);
     }
@@ -626,7 +626,7 @@ class BodiesTest {
         assertThat(bodies().count()).isEqualTo(1 + scene().spheres().size());
         driver.type(KeyCode.DELETE);
         assertThat(scene().spheres()).isEmpty();
-        assertThat(bodies()).isEqualTo(SelectedBodies.of(Layout.LIGHT));
+        assertThat(bodies()).isEqualTo(SelectedBodies.of(BodyNumber.LIGHT));
         assertThat(driver.notice()).isEqualTo("The last light can't be deleted; a scene has at least one");
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
@@ -634,7 +634,7 @@ class BodiesTest {
 
     @Test
     void aLightIsDuplicatedBesideASphere() {
-        driver.run(() -> driver.studio.selection().select(List.of(Layout.LIGHT, MIDDLE)));
+        driver.run(() -> driver.studio.selection().select(List.of(BodyNumber.LIGHT, MIDDLE)));
         Scene before = scene();
         driver.type(Command.DUPLICATE.keys());
         Light first = before.lights().first();

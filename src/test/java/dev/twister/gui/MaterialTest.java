@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.MaterialPreset;
 import dev.twister.gui.edit.TagEdits;
 import dev.twister.gui.files.AutosaveFolder;
@@ -174,7 +175,7 @@ class MaterialTest {
         assertThat(unit()).isEqualTo("% (p 64)");
         assertThat(row("First color")).isNotNull();
         assertThat(row("Second color")).isNotNull();
-        select(Layout.LIGHT);
+        select(BodyNumber.LIGHT);
         assertThat(WindowDriver.call(() -> driver.window.workbench().panel().rows().stream()
                         .map(PanelRow::name)
                         .toList()))

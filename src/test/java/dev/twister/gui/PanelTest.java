@@ -9,6 +9,7 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.ResolutionMode;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.panel.ChoiceRow;
 import dev.twister.gui.panel.NumberRow;
@@ -205,7 +206,7 @@ class PanelTest {
 
         driver.run(() -> {
             panel.setVvalue(1);
-            driver.studio.selection().select(Layout.LIGHT);
+            driver.studio.selection().select(BodyNumber.LIGHT);
         });
         driver.pulse();
         assertThat(isSeen(panel, row("Light x"))).isTrue();
@@ -747,7 +748,7 @@ class PanelTest {
     @Test
     void keysThatDoNothingSayWhy() {
         driver.type(KeyCode.ESCAPE);
-        driver.run(() -> driver.studio.selection().select(Layout.LIGHT));
+        driver.run(() -> driver.studio.selection().select(BodyNumber.LIGHT));
         driver.type(KeyCode.DELETE);
         assertThat(driver.notice()).isEqualTo("The last light can't be deleted; a scene has at least one");
         driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
@@ -785,7 +786,7 @@ class PanelTest {
     void theLightThePlaneAndEverySphereAreSelectedByKeys() {
         driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
         int spheres = scene().spheres().size();
-        List<Integer> round = new ArrayList<>(List.of(Layout.LIGHT, Layout.PLANE));
+        List<Integer> round = new ArrayList<>(List.of(BodyNumber.LIGHT, Layout.PLANE));
         for (int sphere = 0; sphere < spheres; sphere++) {
             round.add(Layout.FIRST_SPHERE + sphere);
         }
@@ -807,7 +808,7 @@ class PanelTest {
     void severalBodiesAreSelectedInTheList() {
         driver.type(row("Bodies").keys());
         driver.type(KeyCode.HOME);
-        assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(Layout.LIGHT);
+        assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(BodyNumber.LIGHT);
         driver.type(KeyCode.DOWN);
         assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(Layout.PLANE);
         driver.type(KeyCode.DOWN);
@@ -853,10 +854,10 @@ class PanelTest {
 
     @Test
     void theListMarksWhatIsSelectedElsewhere() {
-        driver.run(() -> driver.studio.selection().select(List.of(Layout.LIGHT, SPHERE)));
+        driver.run(() -> driver.studio.selection().select(List.of(BodyNumber.LIGHT, SPHERE)));
         ListView<?> list = (ListView<?>) row("Bodies").firstControl();
         assertThat(WindowDriver.call(() -> List.copyOf(list.getSelectionModel().getSelectedIndices())))
-                .containsExactly(Layout.LIGHT, SPHERE);
+                .containsExactly(0, SPHERE);
         driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
         assertThat(WindowDriver.call(() -> List.copyOf(list.getSelectionModel().getSelectedIndices())))
                 .isEmpty();

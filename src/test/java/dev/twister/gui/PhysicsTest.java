@@ -8,6 +8,7 @@ import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyMaterials;
+import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.gui.studio.OpenedScene;
@@ -187,7 +188,7 @@ class PhysicsTest {
     void anEditOfColorLightOrGravityDoesNotStopAFall() {
         double fallen = HEIGHT - height(awaitSteps(60));
         driver.run(() -> {
-            driver.studio.edit("light", scene -> BodyEdits.moved(scene, Layout.LIGHT, new Vector3(1, 7, 1)));
+            driver.studio.edit("light", scene -> BodyEdits.moved(scene, BodyNumber.LIGHT, new Vector3(1, 7, 1)));
             driver.studio.edit(
                     "color",
                     scene -> BodyMaterials.edited(scene, Layout.FIRST_SPHERE, old -> old.withColor(new Rgb(0, 1, 0))));
@@ -334,7 +335,7 @@ class PhysicsTest {
         driver.type(KeyCode.DELETE);
         assertThat(driver.notice()).isEqualTo("A poured sphere can't be deleted");
         driver.type(KeyCode.F2);
-        assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(Layout.LIGHT);
+        assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(BodyNumber.LIGHT);
 
         driver.run(() -> driver.studio.selection().select(first));
         driver.type(KeyCode.F5);

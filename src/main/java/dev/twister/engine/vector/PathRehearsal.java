@@ -28,7 +28,9 @@ final class PathRehearsal {
     /** A tile's samples that are followed, of a part of its pixels. */
     private static final int FEW_SAMPLES = 4;
 
-    /** Of all its pixels: with fewer paths their ends, in which few lanes run, would count for more than in a render. */
+    /**
+     * Of all its pixels: with fewer paths their ends, in which few lanes run, would count for more than in a render.
+     */
     private static final int MOST_SAMPLES = 32;
 
     /** Rehearsals of whole tiles that must be faster. */

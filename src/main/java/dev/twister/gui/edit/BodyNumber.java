@@ -8,20 +8,20 @@ import dev.twister.world.FrameInput;
 import dev.twister.world.SceneMeshes;
 
 /**
- * The window's numbers of a scene's bodies: the first light, the plane and the spheres are numbered as in
- * {@code FrameInput}. A mesh is one body here, but one per part in a {@code FrameInput}.
+ * The window's numbers of a scene's bodies: the plane and the spheres are numbered as in {@code FrameInput}. A mesh is
+ * one body here, but one per part in a {@code FrameInput}.
  */
 public final class BodyNumber {
     /** No body: the sky is seen there, or nothing is selected. */
     public static final int NONE = Layout.NOTHING;
 
-    /** The first light. */
-    public static final int LIGHT = Layout.LIGHT;
-
     public static final int PLANE = Layout.PLANE;
 
-    /** Beyond all spheres, poured ones included, so that a light keeps its number while spheres come and go. */
-    private static final int SECOND_LIGHT = 1 << 23;
+    /**
+     * The first light: beyond all spheres, poured ones included, so that lights keep their numbers while spheres come
+     * and go.
+     */
+    public static final int LIGHT = 1 << 23;
 
     /** Beyond all spheres and lights. */
     private static final int FIRST_MESH = 1 << 24;
@@ -30,12 +30,12 @@ public final class BodyNumber {
 
     /** The number of the light at that place of the scene's list. */
     public static int ofLight(int index) {
-        return index == 0 ? LIGHT : SECOND_LIGHT + index - 1;
+        return LIGHT + index;
     }
 
     /** The light's place in the scene's list; below 0 for what is no light, and beyond the list for a mesh. */
     public static int light(int body) {
-        return body == LIGHT ? 0 : body < SECOND_LIGHT ? NONE : body - SECOND_LIGHT + 1;
+        return body < LIGHT ? NONE : body - LIGHT;
     }
 
     /** The number of the sphere at that place of the scene's list. */

@@ -18,10 +18,10 @@ class TagEditsTest {
 
     @Test
     void theLastVisibleLightStays() {
-        assertThat(TagEdits.hideable(SCENE, List.of(Layout.LIGHT, FIRST))).containsExactly(FIRST);
+        assertThat(TagEdits.hideable(SCENE, List.of(BodyNumber.LIGHT, FIRST))).containsExactly(FIRST);
         Scene two = SCENE.withLights(new Lights(List.of(Light.DEFAULT, Light.DEFAULT)));
-        assertThat(TagEdits.hideable(two, List.of(Layout.LIGHT))).containsExactly(Layout.LIGHT);
-        Scene one = TagEdits.edited(two, List.of(Layout.LIGHT), tag -> tag.withHidden(true));
+        assertThat(TagEdits.hideable(two, List.of(BodyNumber.LIGHT))).containsExactly(BodyNumber.LIGHT);
+        Scene one = TagEdits.edited(two, List.of(BodyNumber.LIGHT), tag -> tag.withHidden(true));
         assertThat(TagEdits.hideable(one, List.of(BodyNumber.ofLight(1)))).isEmpty();
     }
 

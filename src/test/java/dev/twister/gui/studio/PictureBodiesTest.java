@@ -49,7 +49,7 @@ class PictureBodiesTest {
     @Test
     void whatIsNoSphereStaysWhatItIs() {
         PictureBodies bodies = bodies(List.of(LEFT, RIGHT), List.of(RIGHT), true);
-        assertThat(bodies.inScene(Layout.LIGHT)).isEqualTo(Layout.LIGHT);
+        assertThat(bodies.inScene(BodyNumber.LIGHT)).isEqualTo(BodyNumber.LIGHT);
         assertThat(bodies.inScene(Layout.NOTHING)).isEqualTo(Layout.NOTHING);
     }
 
