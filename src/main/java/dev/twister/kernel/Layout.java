@@ -699,7 +699,12 @@ public final class Layout {
 
     public static final int SCATTERED_AGAIN = 134;
 
-    public static final int TRACED_PATH_LENGTH = 137;
+    /** Their means over all directions of the other ray, which only the coat or the metal's facets take from. */
+    public static final int MEAN_UNDER_COAT = 137;
+
+    public static final int MEAN_AGAIN = 138;
+
+    public static final int TRACED_PATH_LENGTH = 139;
 
     /** With {@link Coverage}: the part of the background that the pixel's samples see, as a sum. */
     public static final int UNCOVERED = TRACED_PATH_LENGTH;

@@ -62,13 +62,16 @@ public final class Lobes {
                 (path[Layout.ROUGHNESS] > 0f ? 0 : 1) | ((transmission > 0f ? 1 : 0) & (ior < LEAST_ROUGH_IOR ? 1 : 0));
         path[Layout.ROUGHNESS] = smooth != 0 ? 0f : path[Layout.ROUGHNESS];
         path[Layout.COAT_ALBEDO] = 0f;
+        path[Layout.UNDER_COAT] = 1f;
+        path[Layout.MEAN_UNDER_COAT] = 1f;
+        path[Layout.MEAN_AGAIN] = 0f;
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.SCATTERED_AGAIN + channel] = 0f;
         }
         if (fresnel != 0) {
             keep(path, (int) looks[Layout.LOOK_STRIDE * body + Layout.LOOK_ALBEDOS], looks);
         }
-        choices(path, looks);
+        choices(path);
     }
 
     /**
@@ -89,7 +92,9 @@ public final class Lobes {
         float left = 1f - coated * DirectionalAlbedo.mean(coat, roughness, looks);
         path[Layout.UNDER_COAT] =
                 (1f - coated * DirectionalAlbedo.of(coat, roughness, cosine, looks)) / Math.max(left, LEAST_SQUARE);
+        path[Layout.MEAN_UNDER_COAT] = left;
         float mean = DirectionalAlbedo.mean(mirror, roughness, looks);
+        path[Layout.MEAN_AGAIN] = 1f - mean;
         float once = DirectionalAlbedo.of(mirror, roughness, cosine, looks);
         float again = path[Layout.PART_MIRROR] * (1f - once) / Math.max(1f - mean, LEAST_SQUARE);
         for (int channel = 0; channel < 3; channel++) {
@@ -126,25 +131,18 @@ public final class Lobes {
     }
 
     /** Writes with which probability each lobe is chosen: in proportion to its largest channel, at the normal. */
-    private static void choices(float[] path, float[] looks) {
+    private static void choices(float[] path) {
         float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
         float fresnel = fresnel(path, cosine);
         float largest = Math.max(Math.max(path[Layout.ALBEDO], path[Layout.ALBEDO + 1]), path[Layout.ALBEDO + 2]);
         float mirror = Math.max(
                 Math.max(reflected(path, 0, cosine, fresnel), reflected(path, 1, cosine, fresnel)),
                 reflected(path, 2, cosine, fresnel));
-        float matte = path[Layout.PART_MATTE] * largest;
-        if (path[Layout.COAT_ALBEDO] > 0f) {
-            float under = 1f
-                    - coated(path)
-                            * DirectionalAlbedo.mean((int) path[Layout.COAT_ALBEDO], path[Layout.ROUGHNESS], looks);
-            float again = 1f - DirectionalAlbedo.mean((int) path[Layout.MIRROR_ALBEDO], path[Layout.ROUGHNESS], looks);
-            matte = Math.max(
-                    Math.max(
-                            matte(path, 0, path[Layout.UNDER_COAT] * under, again),
-                            matte(path, 1, path[Layout.UNDER_COAT] * under, again)),
-                    matte(path, 2, path[Layout.UNDER_COAT] * under, again));
-        }
+        float underCoat = path[Layout.UNDER_COAT] * path[Layout.MEAN_UNDER_COAT];
+        float again = path[Layout.MEAN_AGAIN];
+        float matte = Math.max(
+                Math.max(matte(path, 0, underCoat, again), matte(path, 1, underCoat, again)),
+                matte(path, 2, underCoat, again));
         float glass = path[Layout.PART_GLASS] * (1f - fresnel) * largest;
         if (path[Layout.ROUGHNESS] > 0f) {
             float sum = mirror + matte + glass;
