@@ -107,10 +107,14 @@ final class TraceRecorder {
         boolean scatters = body > Layout.LIGHT && !input.isLight(body) && bounce <= (int) frame[Layout.BOUNCES];
         Optional<Scattering> scattering =
                 scatters ? Optional.of(scattering(ray.clone(), body, bounce)) : Optional.empty();
-        float[] skyAlone = frame.clone();
-        skyAlone[Layout.SUNS] = 0;
-        Rgb adds = body == Layout.NOTHING ? added(ray, bounce, skyAlone) : Floats.rgb(path, Layout.RADIANCE);
+        Rgb adds = body == Layout.NOTHING ? addedBySky(ray, bounce) : Floats.rgb(path, Layout.RADIANCE);
         return step(source, bounce, ray, throughput, body, light, scattering, adds);
+    }
+
+    private Rgb addedBySky(float[] ray, int bounce) {
+        float[] alone = frame.clone();
+        alone[Layout.SUNS] = 0;
+        return added(ray, bounce, alone);
     }
 
     /** Adds a step for each sun that a ray to the sky passes. */

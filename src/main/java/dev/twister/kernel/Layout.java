@@ -249,7 +249,7 @@ public final class Layout {
     /** Place in {@code looks} of the tables of {@link DirectionalAlbedo}, where {@link #LOOK_FRESNEL} is 1. */
     public static final int LOOK_ALBEDOS = 28;
 
-    /** 1 if the body is as thin as a sheet, else 0. */
+    /** {@link #SHEET_OF_BODY} if the body is as thin as a sheet, else 0. */
     public static final int LOOK_SHEET = 29;
 
     public static final int LOOK_STRIDE = 30;
@@ -634,10 +634,15 @@ public final class Layout {
     public static final int OUTER_MEDIUM = 97;
 
     /**
-     * Whether the surface is a thin sheet, which refracts nothing: 1 if it is a body's, 2 if it is the plane, which no
-     * ray is inside of, else 0.
+     * Whether the surface is a thin sheet, which refracts nothing: {@link #SHEET_OF_BODY}; the plane,
+     * {@link #SHEET_WITHOUT_INSIDE}; else 0.
      */
     public static final int IS_SHEET = 98;
+
+    /** A sheet around a body, which rays can be inside of, such as a bubble's. */
+    public static final float SHEET_OF_BODY = 1f;
+
+    public static final float SHEET_WITHOUT_INSIDE = 2f;
 
     public static final int PATH_LENGTH = 99;
 

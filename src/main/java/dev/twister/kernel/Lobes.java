@@ -134,10 +134,8 @@ public final class Lobes {
     private static void choices(float[] path) {
         float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
         float fresnel = fresnel(path, cosine);
-        float largest = Math.max(Math.max(path[Layout.ALBEDO], path[Layout.ALBEDO + 1]), path[Layout.ALBEDO + 2]);
-        float mirror = Math.max(
-                Math.max(reflected(path, 0, cosine, fresnel), reflected(path, 1, cosine, fresnel)),
-                reflected(path, 2, cosine, fresnel));
+        float largest = largestAlbedo(path);
+        float mirror = mostReflected(path, cosine, fresnel);
         float underCoat = path[Layout.UNDER_COAT] * path[Layout.MEAN_UNDER_COAT];
         float again = path[Layout.MEAN_AGAIN];
         float matte = Math.max(
@@ -176,6 +174,17 @@ public final class Lobes {
         float edge = albedo + (1f - albedo) * schlick;
         float metal = path[Layout.IS_FRESNEL] > 0f ? edge : 1f + path[Layout.METALLIC] * (edge - 1f);
         return path[Layout.PART_MIRROR] * metal + path[Layout.PART_COAT] * fresnel;
+    }
+
+    /** The largest channel of what a facet reflects. */
+    private static float mostReflected(float[] path, float cosine, float fresnel) {
+        return Math.max(
+                Math.max(reflected(path, 0, cosine, fresnel), reflected(path, 1, cosine, fresnel)),
+                reflected(path, 2, cosine, fresnel));
+    }
+
+    private static float largestAlbedo(float[] path) {
+        return Math.max(Math.max(path[Layout.ALBEDO], path[Layout.ALBEDO + 1]), path[Layout.ALBEDO + 2]);
     }
 
     /** 1 if light from other than single directions is scattered, so that emitters are worth sampling. */
@@ -270,12 +279,8 @@ public final class Lobes {
     private static float mirrorShare(float[] path, float cosine, float fresnel) {
         float share = 1f;
         if (path[Layout.PART_GLASS] > 0f) {
-            float mirror = Math.max(
-                    Math.max(reflected(path, 0, cosine, fresnel), reflected(path, 1, cosine, fresnel)),
-                    reflected(path, 2, cosine, fresnel));
-            float glass = path[Layout.PART_GLASS]
-                    * (1f - fresnel)
-                    * Math.max(Math.max(path[Layout.ALBEDO], path[Layout.ALBEDO + 1]), path[Layout.ALBEDO + 2]);
+            float mirror = mostReflected(path, cosine, fresnel);
+            float glass = path[Layout.PART_GLASS] * (1f - fresnel) * largestAlbedo(path);
             share = glass > 0f ? mirror / (mirror + glass) : 1f;
         }
         return share;
@@ -322,7 +327,7 @@ public final class Lobes {
         if (matte == 0) {
             bend(path, glass);
         }
-        int crosses = glass & (path[Layout.IS_SHEET] > 1f ? 0 : 1);
+        int crosses = glass & (path[Layout.IS_SHEET] > Layout.SHEET_OF_BODY ? 0 : 1);
         float inside = path[Layout.FROM_INSIDE];
         path[Layout.NEXT_INSIDE] = crosses != 0 ? Branch.crossed(inside > 0f ? 0 : 1) : inside;
         int spread = matte | (path[Layout.ROUGHNESS] > 0f ? 1 : 0);

@@ -386,7 +386,7 @@ public final class PathTracer {
         float side = path[Layout.TO_LIGHT] * path[Layout.NORMAL]
                 + path[Layout.TO_LIGHT + 1] * path[Layout.NORMAL + 1]
                 + path[Layout.TO_LIGHT + 2] * path[Layout.NORMAL + 2];
-        return (side < 0f ? 1 : 0) & (path[Layout.IS_SHEET] > 1f ? 0 : 1);
+        return (side < 0f ? 1 : 0) & (path[Layout.IS_SHEET] > Layout.SHEET_OF_BODY ? 0 : 1);
     }
 
     /** Writes the light that the chosen emitter adds unless it is blocked; 1 if that is any. */

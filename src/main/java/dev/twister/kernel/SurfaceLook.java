@@ -32,7 +32,8 @@ public final class SurfaceLook {
             path[Layout.ROUGHNESS] = looks[look + Layout.LOOK_ROUGHNESS];
             path[Layout.TRANSMISSION] = looks[look + Layout.LOOK_TRANSMISSION];
             path[Layout.IOR] = looks[look + Layout.LOOK_IOR];
-            path[Layout.IS_SHEET] = body == Layout.PLANE ? 2f : looks[look + Layout.LOOK_SHEET];
+            path[Layout.IS_SHEET] =
+                    body == Layout.PLANE ? Layout.SHEET_WITHOUT_INSIDE : looks[look + Layout.LOOK_SHEET];
             path[Layout.METALLIC] = looks[look + Layout.LOOK_METALLIC];
             float fresnel = looks[look + Layout.LOOK_FRESNEL];
             path[Layout.IS_FRESNEL] = fresnel;

@@ -15,30 +15,20 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** {@code twister render --background none}: files with alpha. */
+@ExtendWith(FakeDenoiser.Offered.class)
 class CutOutTest {
     private static final int WIDTH = 32;
     private static final int PIXELS = WIDTH * 18;
 
     @TempDir
     private Path folder;
-
-    @BeforeEach
-    void offerTheFake() {
-        System.setProperty(FakeDenoiser.PROPERTY, "true");
-    }
-
-    @AfterEach
-    void withdrawTheFake() {
-        System.clearProperty(FakeDenoiser.PROPERTY);
-    }
 
     @ParameterizedTest
     @ValueSource(

@@ -1,13 +1,29 @@
 package dev.twister.denoise;
 
 import java.util.Optional;
+import org.junit.jupiter.api.extension.AfterEachCallback;
+import org.junit.jupiter.api.extension.BeforeEachCallback;
+import org.junit.jupiter.api.extension.ExtensionContext;
 
 /**
  * A denoiser that shows what it was given: {@code radiance + 10 * albedo + 100 * normal}. It is offered while the
- * property {@value #PROPERTY} is true.
+ * property {@value #PROPERTY} is true, such as in the tests of a class with {@link Offered}.
  */
 public final class FakeDenoiser implements DenoiserProvider, Denoiser {
     public static final String PROPERTY = "twister.test.denoiser";
+
+    /** Offers it during each test. */
+    public static final class Offered implements BeforeEachCallback, AfterEachCallback {
+        @Override
+        public void beforeEach(ExtensionContext context) {
+            System.setProperty(PROPERTY, "true");
+        }
+
+        @Override
+        public void afterEach(ExtensionContext context) {
+            System.clearProperty(PROPERTY);
+        }
+    }
 
     @Override
     public Optional<DenoiserOffer> offer() {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.SceneBuilder;
 import dev.twister.image.AlphaChannel;
 import dev.twister.image.Frame;
+import dev.twister.oracle.Pictures;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Integrator;
@@ -39,8 +40,8 @@ class CoverageTest {
     @CsvSource({"WHITTED,0.4", "WHITTED,0.95", "PATH,0.4", "PATH,0.95"})
     void overTheSkyItIsThePicture(Integrator integrator, double opacity) {
         FrameInput input = world(integrator, opacity, 100).snapshot();
-        float[] plain = render(JvmEngines.PARALLEL, input).radiance();
-        Frame cut = render(JvmEngines.PARALLEL, input.withoutBackground());
+        float[] plain = Pictures.linear(JvmEngines.PARALLEL, input).radiance();
+        Frame cut = Pictures.linear(JvmEngines.PARALLEL, input.withoutBackground());
 
         assertThat(cut.layerCount()).isEqualTo(1);
         for (int i = 0; i < plain.length; i++) {
@@ -55,7 +56,7 @@ class CoverageTest {
     void isWhatCoversTheBackground(Integrator integrator) {
         World world = world(integrator, 0.4, 0);
         world.setSettings(world.settings().withSamplesPerPixel(256));
-        Frame cut = render(JvmEngines.PARALLEL, world.snapshot().withoutBackground());
+        Frame cut = Pictures.linear(JvmEngines.PARALLEL, world.snapshot().withoutBackground());
 
         assertThat(alpha(cut, 2, 2)).isZero();
         assertThat(alpha(cut, 8, 18)).isEqualTo(1);
@@ -70,8 +71,8 @@ class CoverageTest {
     void isTheSameOnEveryEngine(String engine, Integrator integrator) {
         World world = world(integrator, 0.4, 20);
         FrameInput input = world.snapshot().withLightLayers(world.lightGroups()).withoutBackground();
-        Frame expected = render(JvmEngines.PARALLEL, input);
-        Frame frame = render(engine, input);
+        Frame expected = Pictures.linear(JvmEngines.PARALLEL, input);
+        Frame frame = Pictures.linear(engine, input);
 
         assertThat(frame.radiance()).isEqualTo(expected.radiance());
         assertThat(frame.layers()).isEqualTo(expected.layers());
@@ -83,9 +84,9 @@ class CoverageTest {
     void otherLayersHaveNoBackground(Integrator integrator) {
         World world = world(integrator, 0.4, 20);
         FrameInput input = world.snapshot();
-        Frame cut = render(JvmEngines.PARALLEL, input.withoutBackground());
+        Frame cut = Pictures.linear(JvmEngines.PARALLEL, input.withoutBackground());
         FrameInput layeredInput = input.withLightLayers(world.lightGroups()).withoutBackground();
-        Frame layered = render(JvmEngines.PARALLEL, layeredInput);
+        Frame layered = Pictures.linear(JvmEngines.PARALLEL, layeredInput);
 
         int last = layered.firstOf(layered.layerCount() - 1);
         assertThat(Arrays.copyOfRange(layered.layers(), last, layered.layers().length))
@@ -144,14 +145,5 @@ class CoverageTest {
 
     private static float alpha(Frame cut, int column, int row) {
         return cut.layers()[3 * (WIDTH * row + column)];
-    }
-
-    private static Frame render(String engineId, FrameInput input) {
-        Frame frame = Frame.ofRadiance(input.width(), input.rows(), input.layers());
-        Arrays.fill(frame.layers(), Float.NaN);
-        try (Engine engine = Engines.open(engineId)) {
-            engine.render(input, frame);
-        }
-        return frame;
     }
 }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.offset;
 import dev.twister.SceneBuilder;
 import dev.twister.image.Frame;
 import dev.twister.oracle.LitScene;
+import dev.twister.oracle.Pictures;
 import dev.twister.oracle.ShippedScenes;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
@@ -18,7 +19,6 @@ import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 import dev.twister.world.StageOrView;
 import dev.twister.world.World;
-import java.util.Arrays;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,8 +38,8 @@ class GuidesTest {
     void thePictureKeepsItsBits(String scene, Integrator integrator) {
         FrameInput input = shipped(scene, integrator);
 
-        assertThat(render(JvmEngines.PARALLEL, input.withGuides()).radiance())
-                .isEqualTo(render(JvmEngines.PARALLEL, input).radiance());
+        assertThat(Pictures.linear(JvmEngines.PARALLEL, input.withGuides()).radiance())
+                .isEqualTo(Pictures.linear(JvmEngines.PARALLEL, input).radiance());
     }
 
     @ParameterizedTest
@@ -47,19 +47,19 @@ class GuidesTest {
     void areTheSameOnEveryEngine(String engine, Integrator integrator) {
         FrameInput input = shipped("glass", integrator).withGuides();
 
-        assertThat(render(engine, input).layers())
-                .isEqualTo(render(JvmEngines.PARALLEL, input).layers());
+        assertThat(Pictures.linear(engine, input).layers())
+                .isEqualTo(Pictures.linear(JvmEngines.PARALLEL, input).layers());
     }
 
     @ParameterizedTest
     @EnumSource(Integrator.class)
     void ofMatteSurfacesAreTheViews(Integrator integrator) {
         FrameInput input = ball(MATTE, integrator);
-        Frame guided = render(JvmEngines.PARALLEL, input.withGuides());
-        float[] albedo =
-                render(JvmEngines.PARALLEL, input.showing(StageOrView.ALBEDO)).radiance();
-        float[] normal =
-                render(JvmEngines.PARALLEL, input.showing(StageOrView.NORMAL)).radiance();
+        Frame guided = Pictures.linear(JvmEngines.PARALLEL, input.withGuides());
+        float[] albedo = Pictures.linear(JvmEngines.PARALLEL, input.showing(StageOrView.ALBEDO))
+                .radiance();
+        float[] normal = Pictures.linear(JvmEngines.PARALLEL, input.showing(StageOrView.NORMAL))
+                .radiance();
 
         for (int i = 0; i < 3; i++) {
             assertThat(guided.layers()[MIDDLE + i]).isCloseTo(albedo[MIDDLE + i], CLOSE);
@@ -71,7 +71,7 @@ class GuidesTest {
     @ParameterizedTest
     @EnumSource(Integrator.class)
     void followMirrors(Integrator integrator) {
-        Frame guided = render(
+        Frame guided = Pictures.linear(
                 JvmEngines.PARALLEL,
                 ball(Material.DEFAULT.withReflectivity(128), integrator).withGuides());
 
@@ -88,7 +88,8 @@ class GuidesTest {
                 .withColor(new Rgb(1, 1, 1))
                 .withTransmission(1)
                 .withIor(1);
-        Frame guided = render(JvmEngines.PARALLEL, ball(glass, integrator).withGuides());
+        Frame guided =
+                Pictures.linear(JvmEngines.PARALLEL, ball(glass, integrator).withGuides());
 
         assertThat(guided.layers()[MIDDLE]).isCloseTo((float) GROUND.red(), CLOSE);
         assertThat(guided.layers()[MIDDLE + 2]).isCloseTo((float) GROUND.blue(), CLOSE);
@@ -100,7 +101,8 @@ class GuidesTest {
     void stopAtRoughMirrors(Integrator integrator) {
         Material rough =
                 Material.DEFAULT.withReflectivity(128).withRoughness(0.3).withColor(new Rgb(0.1, 0.9, 0.1));
-        Frame guided = render(JvmEngines.PARALLEL, ball(rough, integrator).withGuides());
+        Frame guided =
+                Pictures.linear(JvmEngines.PARALLEL, ball(rough, integrator).withGuides());
 
         assertThat(guided.layers()[MIDDLE + 1]).isCloseTo(0.9f, CLOSE);
     }
@@ -108,8 +110,8 @@ class GuidesTest {
     @Test
     void tilesHaveTheBitsOfTheWhole() {
         FrameInput input = ball(MATTE, Integrator.PATH).withGuides();
-        Frame whole = render(JvmEngines.PARALLEL, input);
-        Frame band = render(JvmEngines.PARALLEL, input.band(16, 5));
+        Frame whole = Pictures.linear(JvmEngines.PARALLEL, input);
+        Frame band = Pictures.linear(JvmEngines.PARALLEL, input.band(16, 5));
 
         assertThat(whole.rows(16, 5).layers()).isEqualTo(band.layers());
         Frame put = Frame.ofRadiance(SIDE, SIDE, 2);
@@ -142,14 +144,5 @@ class GuidesTest {
                 .withShadowSamples(4)
                 .withSamplesPerPixel(2));
         return world.snapshot();
-    }
-
-    private static Frame render(String engineId, FrameInput input) {
-        Frame frame = Frame.ofRadiance(input.width(), input.rows(), input.layers());
-        Arrays.fill(frame.layers(), Float.NaN);
-        try (Engine engine = Engines.open(engineId)) {
-            engine.render(input, frame);
-        }
-        return frame;
     }
 }

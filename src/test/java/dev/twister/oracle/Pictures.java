@@ -47,11 +47,17 @@ public final class Pictures {
 
     /** Renders the band's linear radiance. */
     public static float[] radiance(String engine, FrameInput input) {
-        Frame frame = Frame.ofRadiance(input.width(), input.rows());
+        return linear(engine, input).radiance();
+    }
+
+    /** Renders the band's linear radiance and layers. */
+    public static Frame linear(String engine, FrameInput input) {
+        Frame frame = Frame.ofRadiance(input.width(), input.rows(), input.layers());
         Arrays.fill(frame.radiance(), Float.NaN);
+        Arrays.fill(frame.layers(), Float.NaN);
         try (Engine opened = Engines.open(engine)) {
             opened.render(input, frame);
         }
-        return frame.radiance();
+        return frame;
     }
 }

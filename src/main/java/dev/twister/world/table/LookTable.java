@@ -176,7 +176,7 @@ public final class LookTable {
         looks[look + Layout.LOOK_FRESNEL] = fresnel ? 1 : beside ? -1 : 0;
         looks[look + Layout.LOOK_BESIDE_METAL] = beside ? (float) material.reflectivity() : 0;
         putEmission(looks, look, material.emission());
-        looks[look + Layout.LOOK_SHEET] = material.thinWalled() && transmission > 0 ? 1 : 0;
+        looks[look + Layout.LOOK_SHEET] = material.thinWalled() && transmission > 0 ? Layout.SHEET_OF_BODY : 0;
         material.attenuation().distance().ifPresent(distance -> putAbsorption(looks, look, material, distance));
         looks[look + Layout.LOOK_MAPS] = maps;
     }

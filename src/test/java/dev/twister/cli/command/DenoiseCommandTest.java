@@ -16,24 +16,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
+@ExtendWith(FakeDenoiser.Offered.class)
 class DenoiseCommandTest {
     @TempDir
     private Path folder;
-
-    @BeforeEach
-    void offerTheFake() {
-        System.setProperty(FakeDenoiser.PROPERTY, "true");
-    }
-
-    @AfterEach
-    void withdrawTheFake() {
-        System.clearProperty(FakeDenoiser.PROPERTY);
-    }
 
     @Test
     void keepsTheNoisyPictureAsALayer() throws IOException {

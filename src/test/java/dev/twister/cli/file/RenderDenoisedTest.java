@@ -12,25 +12,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
 /** {@code render --denoise} and {@code join --denoise} with a denoiser whose sum shows what it was given. */
+@ExtendWith(FakeDenoiser.Offered.class)
 class RenderDenoisedTest {
     @TempDir
     private Path folder;
-
-    @BeforeEach
-    void offerTheFake() {
-        System.setProperty(FakeDenoiser.PROPERTY, "true");
-    }
-
-    @AfterEach
-    void withdrawTheFake() {
-        System.clearProperty(FakeDenoiser.PROPERTY);
-    }
 
     @Test
     void anExrFileHasDenoisedNoisyAndGuidesAsLayers() throws IOException {

@@ -9,23 +9,13 @@ import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
 
+@ExtendWith(FakeDenoiser.Offered.class)
 class RelitDenoisingTest {
     private static final List<Rgb> UNCHANGED = List.of(new Rgb(1, 1, 1));
     private static final List<Rgb> TWICE = List.of(new Rgb(2, 2, 2));
-
-    @BeforeEach
-    void offer() {
-        System.setProperty(FakeDenoiser.PROPERTY, "true");
-    }
-
-    @AfterEach
-    void withdraw() {
-        System.clearProperty(FakeDenoiser.PROPERTY);
-    }
 
     @Test
     void aChangedLightIsDenoisedWithTheGuidesOfTheFile() {
