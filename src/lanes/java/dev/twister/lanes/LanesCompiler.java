@@ -66,7 +66,7 @@ public final class LanesCompiler {
 
     private static void write(Sources sources, Path folder) throws IOException {
         Statements constants = new Statements(sources, new Builder(), 0);
-        int pathLength = constants.constant("Layout", "LAYERED_PATH_LENGTH");
+        int pathLength = constants.constant("Layout", "FINISHED_PATH_LENGTH");
         int scratchLength = constants.constant("Layout", "LAYERED_SCRATCH_LENGTH");
         List<Integer> variants = variants(constants);
         Files.createDirectories(folder);

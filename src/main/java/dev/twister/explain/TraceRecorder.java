@@ -34,7 +34,7 @@ final class TraceRecorder {
     private final float[] looks;
     private final float[] meshes;
     private final int variant;
-    private final float[] path = new float[Layout.TRACED_PATH_LENGTH];
+    private final float[] path = new float[Layout.FINISHED_PATH_LENGTH];
     private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
     private final List<PathStep> steps = new ArrayList<>();
 
