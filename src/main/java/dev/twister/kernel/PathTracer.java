@@ -195,8 +195,14 @@ public final class PathTracer {
             SurfaceMaps.find(path, body, frame, bodies, looks, meshes, images, variant);
         }
         Surface.face(path, body, frame, variant);
+        if ((variant & Variant.FINISH) != 0) {
+            FinishMaps.find(path, body, frame, bodies, looks, meshes, images, variant);
+        }
         if ((variant & Variant.MAPS) != 0) {
             NormalMap.apply(path, body, frame, bodies, looks, meshes, images, variant);
+        }
+        if ((variant & Variant.FINISH) != 0) {
+            FinishMaps.straighten(path);
         }
         Medium.meet(path, body, looks);
     }
