@@ -823,7 +823,26 @@ public final class Layout {
     /** Unit normal of the clear coat, turned toward the ray's origin. */
     public static final int COAT_NORMAL = FINISH + FINISH_LENGTH + 4;
 
-    public static final int FINISHED_PATH_LENGTH = FINISH + FINISH_LENGTH + 7;
+    /** Part of the clear coat, and of the sheen below it, on this side of the surface; what the sheen reflects. */
+    public static final int COVER_COAT = FINISH + FINISH_LENGTH + 7;
+
+    public static final int COVER_SHEEN = FINISH + FINISH_LENGTH + 8;
+    public static final int SHEEN_ALBEDO = FINISH + FINISH_LENGTH + 9;
+
+    /** Probabilities of the clear coat, and of matte light that passes. */
+    public static final int CHOICE_COAT = FINISH + FINISH_LENGTH + 10;
+
+    public static final int CHOICE_THROUGH = FINISH + FINISH_LENGTH + 11;
+
+    /** Factor of the facets' slopes along the grain. */
+    public static final int STRETCH = FINISH + FINISH_LENGTH + 12;
+
+    /** Whether the dielectric reflection is tinted (1, else 0), and what it leaves of each channel. */
+    public static final int IS_TINTED = FINISH + FINISH_LENGTH + 13;
+
+    public static final int UNDER_TINT = FINISH + FINISH_LENGTH + 14;
+
+    public static final int FINISHED_PATH_LENGTH = FINISH + FINISH_LENGTH + 17;
 
     /** The largest reflectivity, that of a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;
