@@ -172,34 +172,25 @@ public final class MaterialProperties {
             .means("an image that multiplies the color")
             .row("Texture", "A picture that multiplies the color.", "Alt+Shift+X");
 
+    private static final List<Property<Material, Optional<Path>>> BASE_IMAGES = List.of(
+            TEXTURE,
+            map("emissionMap", Maps::emission, Maps::withEmission)
+                    .means("an image that multiplies the emission")
+                    .row("Emission map", "A picture that multiplies the emission.", ""),
+            map(
+                            "roughnessMap",
+                            Maps::roughness,
+                            (maps, map) -> maps.withRoughness(map).withMetallic(map))
+                    .means("an image whose green channel multiplies the roughness and whose blue one multiplies"
+                            + " `metallic`")
+                    .row("Roughness map", "A picture: green multiplies the roughness, blue the metallic part.", ""),
+            map("normalMap", Maps::normal, Maps::withNormal)
+                    .means("an image of normals, as in glTF; a gray one holds heights, of which 1 is one texel")
+                    .row("Normal map", "A picture of normals, as glTF has them; a gray one holds heights.", ""));
+
     /** In the order in which their files are read. */
-    public static final List<Property<Material, Optional<Path>>> IMAGES = Stream.concat(
-                    Stream.of(
-                            TEXTURE,
-                            map("emissionMap", Maps::emission, Maps::withEmission)
-                                    .means("an image that multiplies the emission")
-                                    .row("Emission map", "A picture that multiplies the emission.", ""),
-                            map(
-                                            "roughnessMap",
-                                            Maps::roughness,
-                                            (maps, map) ->
-                                                    maps.withRoughness(map).withMetallic(map))
-                                    .means(
-                                            "an image whose green channel multiplies the roughness and whose blue one multiplies"
-                                                    + " `metallic`")
-                                    .row(
-                                            "Roughness map",
-                                            "A picture: green multiplies the roughness, blue the metallic part.",
-                                            ""),
-                            map("normalMap", Maps::normal, Maps::withNormal)
-                                    .means(
-                                            "an image of normals, as in glTF; a gray one holds heights, of which 1 is one texel")
-                                    .row(
-                                            "Normal map",
-                                            "A picture of normals, as glTF has them; a gray one holds heights.",
-                                            "")),
-                    FinishProperties.IMAGES.stream())
-            .toList();
+    public static final List<Property<Material, Optional<Path>>> IMAGES =
+            Stream.concat(BASE_IMAGES.stream(), FinishProperties.IMAGES.stream()).toList();
 
     private static final List<Property<Material, ?>> ALPHA = List.of(
             choice("alphaMode", Alpha.Mode.class, Alpha::mode, Alpha::withMode)
