@@ -189,8 +189,9 @@ public final class MaterialProperties {
                     .row("Normal map", "A picture of normals, as glTF has them; a gray one holds heights.", ""));
 
     /** In the order in which their files are read. */
-    public static final List<Property<Material, Optional<Path>>> IMAGES =
-            Stream.concat(BASE_IMAGES.stream(), FinishProperties.IMAGES.stream()).toList();
+    public static final List<Property<Material, Optional<Path>>> IMAGES = Stream.concat(
+                    BASE_IMAGES.stream(), FinishProperties.IMAGES.stream())
+            .toList();
 
     private static final List<Property<Material, ?>> ALPHA = List.of(
             choice("alphaMode", Alpha.Mode.class, Alpha::mode, Alpha::withMode)
