@@ -1,6 +1,8 @@
 package dev.twister.kernel;
 
-/** A clear coat over a surface: GGX facets of a dielectric with the index of refraction 1.5 and a normal of their own. */
+/**
+ * A clear coat over a surface: GGX facets of a dielectric with the index of refraction 1.5 and a normal of their own.
+ */
 final class ClearCoat {
     /** Index of refraction outside of the coat divided by that inside. */
     private static final float RATIO = 1f / 1.5f;

@@ -9,8 +9,6 @@ final class FinishLobes {
     /** Half the difference of the indices of blue and red per dispersion and {@code n - 1}. */
     private static final float HALF_SPREAD = 0.025f;
 
-    private static final float LEAST_SQUARE = 1e-12f;
-
     private FinishLobes() {}
 
     /** 1 if the surface has a finish, else 0. */
@@ -181,16 +179,15 @@ final class FinishLobes {
      * @param faceOut between the direction and the face
      * @return density of the direction by the lobes of the coat and of the light that passes
      */
-    static float evaluate(
-            float[] path, float x, float y, float z, float cosineOut, float faceOut, float[] looks) {
+    static float evaluate(float[] path, float x, float y, float z, float cosineOut, float faceOut, float[] looks) {
         int above = (cosineOut > 0f ? 1 : 0) & (faceOut > 0f ? 1 : 0);
         int below = (cosineOut < 0f ? 1 : 0) & (faceOut < 0f ? 1 : 0);
         float density = 0f;
         if (above != 0) {
             float sheen = path[Layout.COVER_SHEEN] * cosineOut * Sheen.evaluate(path, x, y, z, cosineOut, looks);
             for (int channel = 0; channel < 3; channel++) {
-                path[Layout.SCATTERED + channel] = path[Layout.SCATTERED + channel]
-                        + sheen * path[Layout.FINISH + Layout.FINISH_SHEEN + channel];
+                path[Layout.SCATTERED + channel] =
+                        path[Layout.SCATTERED + channel] + sheen * path[Layout.FINISH + Layout.FINISH_SHEEN + channel];
             }
             density = ClearCoat.evaluate(path, x, y, z);
         }

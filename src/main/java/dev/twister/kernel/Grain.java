@@ -8,7 +8,6 @@ final class Grain {
     /** Facets of a smooth surface can't be stretched. */
     private static final float LEAST_ROUGHNESS = 0.03f;
 
-
     private Grain() {}
 
     /** Writes by how much the facets are stretched. */
@@ -40,13 +39,12 @@ final class Grain {
      *
      * @param cosine between the facet and the normal
      */
-    static float visibleDensity(
-            float[] path, float x, float y, float z, float cosine, float cosineIn, float alpha) {
+    static float visibleDensity(float[] path, float x, float y, float z, float cosine, float cosineIn, float alpha) {
         float along = x * path[Layout.GRAIN] + y * path[Layout.GRAIN + 1] + z * path[Layout.GRAIN + 2];
         float stretch = path[Layout.STRETCH];
         float squared = 1f + (1f / (stretch * stretch) - 1f) * along * along;
-        float masked = masked(
-                path, path[Layout.DIRECTION], path[Layout.DIRECTION + 1], path[Layout.DIRECTION + 2], cosineIn);
+        float masked =
+                masked(path, path[Layout.DIRECTION], path[Layout.DIRECTION + 1], path[Layout.DIRECTION + 2], cosineIn);
         float density = Facet.visibleDensity(alpha, cosine * KernelMath.inverseRoot(squared), masked);
         return density * masked / (cosineIn * stretch * squared * squared);
     }

@@ -258,8 +258,8 @@ public final class Layout {
     public static final int LOOK_STRIDE = 31;
 
     /**
-     * A finish, as the extensions of glTF's material define it, which starts with what the path has at
-     * {@link #FINISH}. Parts of its clear coat and of its thin film, in [0, 1]; roughnesses in [0, 1].
+     * A finish, as the extensions of glTF's material define it, which starts with what the path has at {@link #FINISH}.
+     * Parts of its clear coat and of its thin film, in [0, 1]; roughnesses in [0, 1].
      */
     public static final int FINISH_COAT = 0;
 

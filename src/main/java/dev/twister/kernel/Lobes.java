@@ -120,7 +120,8 @@ public final class Lobes {
                     again * reflected * reflected * mean / Math.max(1f - reflected * (1f - mean), LEAST_SQUARE);
         }
         // Through a sheet light leaves as if it were reflected.
-        float whole = path[Layout.IS_SHEET] > 0f ? once : albedo(path, glass, Layout.FOUND_GLASS, cosine, looks, variant);
+        float whole =
+                path[Layout.IS_SHEET] > 0f ? once : albedo(path, glass, Layout.FOUND_GLASS, cosine, looks, variant);
         float scale = roughness > 0f ? 1f / whole : 1f;
         float transmission = path[Layout.TRANSMISSION];
         float coats = inside != 0 ? 0f : 1f - transmission;
@@ -149,8 +150,7 @@ public final class Lobes {
      * @param table its place in {@code looks}
      * @param found its place in the path, if the facets are stretched
      */
-    private static float albedo(
-            float[] path, int table, int found, float cosine, float[] looks, int variant) {
+    private static float albedo(float[] path, int table, int found, float cosine, float[] looks, int variant) {
         float albedo = DirectionalAlbedo.of(table, path[Layout.ROUGHNESS], cosine, looks);
         if (FinishLobes.isOn(path, variant) != 0) {
             albedo = path[Layout.STRETCH] > 1f ? path[found] : albedo;
@@ -264,8 +264,7 @@ public final class Lobes {
     /** The largest channel of what a facet reflects. */
     private static float mostReflected(float[] path, float cosine, float fresnel, int variant) {
         return Math.max(
-                Math.max(
-                        reflected(path, 0, cosine, fresnel, variant), reflected(path, 1, cosine, fresnel, variant)),
+                Math.max(reflected(path, 0, cosine, fresnel, variant), reflected(path, 1, cosine, fresnel, variant)),
                 reflected(path, 2, cosine, fresnel, variant));
     }
 
@@ -334,8 +333,7 @@ public final class Lobes {
     }
 
     /** Adds the rough reflection or transmission to {@link Layout#SCATTERED}. */
-    private static float rough(
-            float[] path, float x, float y, float z, float cosineIn, float cosineOut, int variant) {
+    private static float rough(float[] path, float x, float y, float z, float cosineIn, float cosineOut, int variant) {
         int passes = cosineOut < 0f ? 1 : 0;
         int sheet = passes & (path[Layout.IS_SHEET] > 0f ? 1 : 0);
         int refracts = passes & (1 - sheet);

@@ -396,8 +396,7 @@ public final class PathTracer {
     }
 
     /** Writes the light that the chosen emitter adds unless it is blocked; 1 if that is any. */
-    private static int direct(
-            float[] path, int body, int bounce, float[] frame, float[] looks, int variant) {
+    private static int direct(float[] path, int body, int bounce, float[] frame, float[] looks, int variant) {
         float density = evaluateToLight(path, body, looks, variant);
         float chosen = path[Layout.LIGHT_DENSITY];
         // After the last bounce no ray is scattered that could meet the emitter, too.

@@ -42,8 +42,7 @@ final class ThinFilm {
     static float reflectance(float[] path, int channel, float cosine, float straight) {
         float thickness = path[Layout.FINISH + Layout.FINISH_FILM_THICKNESS];
         float faded = Math.min(Math.max(thickness / FADE, 0f), 1f);
-        float index =
-                1f + (path[Layout.FINISH + Layout.FINISH_FILM_IOR] - 1f) * faded * faded * (3f - 2f * faded);
+        float index = 1f + (path[Layout.FINISH + Layout.FINISH_FILM_IOR] - 1f) * faded * faded * (3f - 2f * faded);
         float inside = 1f - (1f - cosine * cosine) / (index * index);
         float cosineInside = (float) Math.sqrt(Math.min(Math.max(inside, 0f), 1f));
         float outer = Refraction.reflectance(cosine, 1f / index);

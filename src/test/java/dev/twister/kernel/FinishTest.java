@@ -48,16 +48,23 @@ class FinishTest {
     static Stream<Arguments> finishes() {
         return Stream.of(
                 Arguments.of("smooth coat", COATED, 0.008),
-                Arguments.of("rough coat", COATED.withClearcoat(COATED.clearcoat().withRoughness(0.4)), 0.008),
-                Arguments.of("half a coat", COATED.withClearcoat(COATED.clearcoat().withPart(0.5)), 0.008),
+                Arguments.of(
+                        "rough coat", COATED.withClearcoat(COATED.clearcoat().withRoughness(0.4)), 0.008),
+                Arguments.of(
+                        "half a coat", COATED.withClearcoat(COATED.clearcoat().withPart(0.5)), 0.008),
                 Arguments.of("sheen", CLOTH, 0.008),
                 Arguments.of("smooth sheen", CLOTH.withSheen(CLOTH.sheen().withRoughness(0.3)), 0.008),
                 Arguments.of("coated cloth", CLOTH.withClearcoat(COATED.clearcoat()), 0.008),
                 Arguments.of("brushed", BRUSHED, 0.008),
-                Arguments.of("most brushed", BRUSHED.withAnisotropy(BRUSHED.anisotropy().withStrength(1)), 0.01),
+                Arguments.of(
+                        "most brushed",
+                        BRUSHED.withAnisotropy(BRUSHED.anisotropy().withStrength(1)),
+                        0.01),
                 Arguments.of("film", FILM, 0.025),
-                Arguments.of("black reflections", NONE.withSpecular(NONE.specular().withColor(new Rgb(0, 0, 0))), 0.008),
-                Arguments.of("bright reflections", NONE.withSpecular(NONE.specular().withColor(new Rgb(4, 4, 4))), 0.008),
+                Arguments.of(
+                        "black reflections", NONE.withSpecular(NONE.specular().withColor(new Rgb(0, 0, 0))), 0.008),
+                Arguments.of(
+                        "bright reflections", NONE.withSpecular(NONE.specular().withColor(new Rgb(4, 4, 4))), 0.008),
                 Arguments.of("leaf", LEAF, 0.01));
     }
 
@@ -66,7 +73,10 @@ class FinishTest {
     void whiteStaysWhite(String name, Finish finish, double error) {
         for (double metallic : new double[] {0, 0.5, 1}) {
             for (double roughness : new double[] {0.2, 0.6, 1}) {
-                look(Material.DEFAULT.withMetallic(metallic).withRoughness(roughness).withFinish(finish));
+                look(Material.DEFAULT
+                        .withMetallic(metallic)
+                        .withRoughness(roughness)
+                        .withFinish(finish));
                 for (float cosine : new float[] {0.15f, 0.5f, 1}) {
                     requireWhite(name + " " + metallic + " " + roughness + " " + cosine, 0, cosine, error);
                 }
@@ -111,7 +121,12 @@ class FinishTest {
             double turn = 2 * Math.PI * random.nextDouble();
             double level = Math.sqrt(1 - z * z);
             density += Lobes.evaluate(
-                    path, (float) (level * Math.cos(turn)), (float) (level * Math.sin(turn)), (float) z, looks, VARIANT);
+                    path,
+                    (float) (level * Math.cos(turn)),
+                    (float) (level * Math.sin(turn)),
+                    (float) z,
+                    looks,
+                    VARIANT);
             for (int channel = 0; channel < 3; channel++) {
                 scattered[channel] += path[Layout.SCATTERED + channel];
             }
@@ -137,7 +152,9 @@ class FinishTest {
     /** Each lobe alone: what is below gets what is left in the direction of the ray's origin alone. */
     @Test
     void lobesAreReciprocal() {
-        look(Material.DEFAULT.withRoughness(0.5).withFinish(COATED.withClearcoat(COATED.clearcoat().withRoughness(0.5))));
+        look(Material.DEFAULT
+                .withRoughness(0.5)
+                .withFinish(COATED.withClearcoat(COATED.clearcoat().withRoughness(0.5))));
         requireReciprocal("coat", 1, 0);
         look(Material.DEFAULT.withRoughness(0.5).withFinish(CLOTH));
         requireReciprocal("sheen", 0, 1);
@@ -246,7 +263,9 @@ class FinishTest {
         double[] exact = exact(ior, thickness, straight);
         for (int channel = 0; channel < 3; channel++) {
             float found = ThinFilm.reflectance(path, channel, 1, straight);
-            assertThat(found).as("channel " + channel).isCloseTo((float) Math.clamp(exact[channel], 0, 1), within(0.05f));
+            assertThat(found)
+                    .as("channel " + channel)
+                    .isCloseTo((float) Math.clamp(exact[channel], 0, 1), within(0.05f));
         }
     }
 
@@ -269,8 +288,8 @@ class FinishTest {
         for (double length = 380; length <= 780; length += 2) {
             double phase = 4 * Math.PI * ior * thickness / length;
             double crossed = 2 * outer * inner * Math.cos(phase);
-            double reflected = (outer * outer + inner * inner + crossed)
-                    / (1 + outer * outer * inner * inner + crossed);
+            double reflected =
+                    (outer * outer + inner * inner + crossed) / (1 + outer * outer * inner * inner + crossed);
             double x = 1.056 * bell(length, 599.8, 37.9, 31)
                     + 0.362 * bell(length, 442, 16, 26.7)
                     - 0.065 * bell(length, 501.1, 20.4, 26.2);

@@ -95,7 +95,12 @@ class LobesTest {
             double turn = 2 * Math.PI * random.nextDouble();
             double level = Math.sqrt(1 - z * z);
             density += Lobes.evaluate(
-                    path, (float) (level * Math.cos(turn)), (float) (level * Math.sin(turn)), (float) z, looks, Variant.MATERIALS);
+                    path,
+                    (float) (level * Math.cos(turn)),
+                    (float) (level * Math.sin(turn)),
+                    (float) z,
+                    looks,
+                    Variant.MATERIALS);
             for (int channel = 0; channel < 3; channel++) {
                 scattered[channel] += path[Layout.SCATTERED + channel];
             }

@@ -1,6 +1,5 @@
 package dev.twister.engine.vector;
 
-import dev.twister.kernel.Variant;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.shadow.Shadows;
@@ -13,6 +12,7 @@ import dev.twister.engine.vector.step.GroundSurface;
 import dev.twister.engine.vector.step.Highlight;
 import dev.twister.engine.vector.step.ScatterLanes;
 import dev.twister.engine.vector.step.TileOutput;
+import dev.twister.kernel.Variant;
 
 /** Renders tiles step by step. Each thread has its own instance. */
 final class TileRenderer {

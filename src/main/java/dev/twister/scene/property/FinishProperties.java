@@ -35,71 +35,88 @@ public final class FinishProperties {
                     of(
                             Finish::clearcoat,
                             Finish::withClearcoat,
-                            decimal("clearcoat", SceneLimits.SHARE, Clearcoat::part, Clearcoat::withPart)
-                                    .means("in path tracing, without `reflectivity`, as all that follow: a second layer"
-                                            + " on top, of the index 1.5")
-                                    .row("Clear coat", "A second, clear layer on top, as of varnish.", ""),
-                            decimal(
-                                            "clearcoatRoughness",
-                                            SceneLimits.SHARE,
-                                            Clearcoat::roughness,
-                                            Clearcoat::withRoughness)
-                                    .means("its roughness")
-                                    .row("Clear coat roughness", "How rough the clear coat is.", "")),
+                            List.of(
+                                    decimal("clearcoat", SceneLimits.SHARE, Clearcoat::part, Clearcoat::withPart)
+                                            .means(
+                                                    "in path tracing, without `reflectivity`, as all that follow: a second layer"
+                                                            + " on top, of the index 1.5")
+                                            .row("Clear coat", "A second, clear layer on top, as of varnish.", ""),
+                                    decimal(
+                                                    "clearcoatRoughness",
+                                                    SceneLimits.SHARE,
+                                                    Clearcoat::roughness,
+                                                    Clearcoat::withRoughness)
+                                            .means("its roughness")
+                                            .row("Clear coat roughness", "How rough the clear coat is.", ""))),
                     of(
                             Finish::sheen,
                             Finish::withSheen,
-                            color("sheenColor", SceneLimits.SHARE, Sheen::color, Sheen::withColor)
-                                    .means("what the fibers of cloth reflect, most at the edges; black for none")
-                                    .row("Sheen", "What the fibers of cloth reflect; black for none.", ""),
-                            decimal("sheenRoughness", SceneLimits.SHARE, Sheen::roughness, Sheen::withRoughness)
-                                    .means("how much the fibers are in disorder")
-                                    .row("Sheen roughness", "How much the fibers are in disorder.", "")),
+                            List.of(
+                                    color("sheenColor", SceneLimits.SHARE, Sheen::color, Sheen::withColor)
+                                            .means(
+                                                    "what the fibers of cloth reflect, most at the edges; black for none")
+                                            .row("Sheen", "What the fibers of cloth reflect; black for none.", ""),
+                                    decimal("sheenRoughness", SceneLimits.SHARE, Sheen::roughness, Sheen::withRoughness)
+                                            .means("how much the fibers are in disorder")
+                                            .row("Sheen roughness", "How much the fibers are in disorder.", ""))),
                     of(
                             Finish::anisotropy,
                             Finish::withAnisotropy,
-                            decimal("anisotropy", SceneLimits.SHARE, Anisotropy::strength, Anisotropy::withStrength)
-                                    .means("how much rough reflections are stretched in one direction, as on brushed"
-                                            + " metal")
-                                    .row(
-                                            "Anisotropy",
-                                            "How much rough reflections are stretched in one direction.",
-                                            ""),
-                            decimal("anisotropyRotation", TURN, Anisotropy::rotation, Anisotropy::withRotation)
-                                    .means("that direction, counterclockwise from the right of an image on the surface")
-                                    .row(
-                                            "Anisotropy rotation",
-                                            "The direction of the stretched reflections, in radians.",
-                                            "")
-                                    .slide(linear(-3.15, 3.15, 2, "rad"))),
+                            List.of(
+                                    decimal(
+                                                    "anisotropy",
+                                                    SceneLimits.SHARE,
+                                                    Anisotropy::strength,
+                                                    Anisotropy::withStrength)
+                                            .means(
+                                                    "how much rough reflections are stretched in one direction, as on brushed"
+                                                            + " metal")
+                                            .row(
+                                                    "Anisotropy",
+                                                    "How much rough reflections are stretched in one direction.",
+                                                    ""),
+                                    decimal("anisotropyRotation", TURN, Anisotropy::rotation, Anisotropy::withRotation)
+                                            .means(
+                                                    "that direction, counterclockwise from the right of an image on the surface")
+                                            .row(
+                                                    "Anisotropy rotation",
+                                                    "The direction of the stretched reflections, in radians.",
+                                                    "")
+                                            .slide(linear(-3.15, 3.15, 2, "rad")))),
                     of(
                             Finish::specular,
                             Finish::withSpecular,
-                            color("specularColor", SPECULAR, Specular::color, Specular::withColor)
+                            List.of(color("specularColor", SPECULAR, Specular::color, Specular::withColor)
                                     .means("color of what `ior` reflects at the normal; not of metals")
-                                    .row("Specular color", "Color of what the index of refraction reflects.", "")),
+                                    .row("Specular color", "Color of what the index of refraction reflects.", ""))),
                     of(
                             Finish::film,
                             Finish::withFilm,
-                            decimal("iridescence", SceneLimits.SHARE, Film::part, Film::withPart)
-                                    .means("a thin film, whose colors change with the angle, as on a soap bubble")
-                                    .row("Iridescence", "A thin film, whose colors change with the angle.", ""),
-                            decimal("iridescenceIor", FILM_IOR, Film::ior, Film::withIor)
-                                    .means("the film's index of refraction")
-                                    .row("Iridescence index", "The film's index of refraction.", "")
-                                    .slide(linear(1, 2.5, 2, "")),
-                            decimal(
-                                            "iridescenceThicknessMinimum",
-                                            FILM_THICKNESS,
-                                            Film::leastThickness,
-                                            Film::withLeastThickness)
-                                    .means("the film's thickness where `iridescenceThicknessMap` is 0")
-                                    .row("Film from", "The film's thickness where its map is 0.", "")
-                                    .slide(linear(0, 1200, 0, "nm")),
-                            decimal("iridescenceThickness", FILM_THICKNESS, Film::thickness, Film::withThickness)
-                                    .means("the film's thickness where that map is 1, or without it")
-                                    .row("Film thickness", "The film's thickness.", "")
-                                    .slide(linear(0, 1200, 0, "nm"))),
+                            List.of(
+                                    decimal("iridescence", SceneLimits.SHARE, Film::part, Film::withPart)
+                                            .means(
+                                                    "a thin film, whose colors change with the angle, as on a soap bubble")
+                                            .row("Iridescence", "A thin film, whose colors change with the angle.", ""),
+                                    decimal("iridescenceIor", FILM_IOR, Film::ior, Film::withIor)
+                                            .means("the film's index of refraction")
+                                            .row("Iridescence index", "The film's index of refraction.", "")
+                                            .slide(linear(1, 2.5, 2, "")),
+                                    decimal(
+                                                    "iridescenceThicknessMinimum",
+                                                    FILM_THICKNESS,
+                                                    Film::leastThickness,
+                                                    Film::withLeastThickness)
+                                            .means("the film's thickness where `iridescenceThicknessMap` is 0")
+                                            .row("Film from", "The film's thickness where its map is 0.", "")
+                                            .slide(linear(0, 1200, 0, "nm")),
+                                    decimal(
+                                                    "iridescenceThickness",
+                                                    FILM_THICKNESS,
+                                                    Film::thickness,
+                                                    Film::withThickness)
+                                            .means("the film's thickness where that map is 1, or without it")
+                                            .row("Film thickness", "The film's thickness.", "")
+                                            .slide(linear(0, 1200, 0, "nm")))),
                     Stream.<Property<Finish, ?>>of(decimal(
                                     "dispersion", DISPERSION, Finish::dispersion, Finish::withDispersion)
                             .means("how much `ior` changes with the color of light: 20 divided by the Abbe number")
@@ -108,16 +125,22 @@ public final class FinishProperties {
                     of(
                             Finish::through,
                             Finish::withThrough,
-                            decimal("diffuseTransmission", SceneLimits.SHARE, Through::part, Through::withPart)
-                                    .means("part of the matte light that passes a thin sheet and leaves it in all"
-                                            + " directions, as through a leaf")
-                                    .row(
-                                            "Diffuse transmission",
-                                            "Part of the matte light that passes, as through a leaf or a lampshade.",
-                                            ""),
-                            color("diffuseTransmissionColor", SceneLimits.SHARE, Through::color, Through::withColor)
-                                    .means("color of that light")
-                                    .row("Diffuse transmission color", "Color of the light that passes.", "")))
+                            List.of(
+                                    decimal("diffuseTransmission", SceneLimits.SHARE, Through::part, Through::withPart)
+                                            .means(
+                                                    "part of the matte light that passes a thin sheet and leaves it in all"
+                                                            + " directions, as through a leaf")
+                                            .row(
+                                                    "Diffuse transmission",
+                                                    "Part of the matte light that passes, as through a leaf or a lampshade.",
+                                                    ""),
+                                    color(
+                                                    "diffuseTransmissionColor",
+                                                    SceneLimits.SHARE,
+                                                    Through::color,
+                                                    Through::withColor)
+                                            .means("color of that light")
+                                            .row("Diffuse transmission color", "Color of the light that passes.", ""))))
             .flatMap(properties -> properties)
             .<Property<Material, ?>>map(property -> ofMaterial(property.animated()))
             .toList();
@@ -202,10 +225,9 @@ public final class FinishProperties {
 
     private FinishProperties() {}
 
-    @SafeVarargs
     private static <P> Stream<Property<Finish, ?>> of(
-            Function<Finish, P> part, BiFunction<Finish, P, Finish> withPart, Property<P, ?>... properties) {
-        return Property.within(List.of(properties), part, withPart).stream();
+            Function<Finish, P> part, BiFunction<Finish, P, Finish> withPart, List<Property<P, ?>> properties) {
+        return Property.within(properties, part, withPart).stream();
     }
 
     private static <P> Property<Finish, Optional<Path>> map(

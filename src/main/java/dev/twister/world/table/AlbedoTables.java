@@ -51,8 +51,7 @@ final class AlbedoTables {
         if (places.putIfAbsent(steps, looks.length) != null) {
             return looks;
         }
-        float[] tables =
-                computed.computeIfAbsent(steps, key -> key == SHEEN ? SheenTables.compute() : compute(key));
+        float[] tables = computed.computeIfAbsent(steps, key -> key == SHEEN ? SheenTables.compute() : compute(key));
         float[] all = Arrays.copyOf(looks, looks.length + tables.length);
         System.arraycopy(tables, 0, all, looks.length, tables.length);
         return all;
