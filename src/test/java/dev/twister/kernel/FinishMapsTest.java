@@ -150,7 +150,8 @@ class FinishMapsTest {
     }
 
     private void putMap(int map) {
-        looks[ROW + map + Layout.MAP_START] = (float) (texelAt(map) / Layout.ALIGNMENT);
+        int start = texelAt(map) / Layout.ALIGNMENT;
+        looks[ROW + map + Layout.MAP_START] = start;
         looks[ROW + map + Layout.MAP_WIDTH] = 1;
         looks[ROW + map + Layout.MAP_HEIGHT] = 1;
         for (int channel = 0; channel < 3; channel++) {
