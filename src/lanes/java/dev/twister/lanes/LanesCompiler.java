@@ -66,7 +66,7 @@ public final class LanesCompiler {
 
     private static void write(Sources sources, Path folder) throws IOException {
         Statements constants = new Statements(sources, new Builder(), 0);
-        int pathLength = constants.constant("Layout", "FINISHED_PATH_LENGTH");
+        int pathLength = constants.constant("Layout", "LAYERED_PATH_LENGTH");
         int scratchLength = constants.constant("Layout", "LAYERED_SCRATCH_LENGTH");
         List<Integer> variants = variants(constants);
         Files.createDirectories(folder);
@@ -80,14 +80,18 @@ public final class LanesCompiler {
         Files.writeString(folder.resolve("ColumnCounts.java"), counts(roots, scratchLength));
     }
 
-    /** All variants of traced paths that are pictures, with and without further layers. */
+    /**
+     * All variants of traced paths that are pictures, with and without further layers, except finishes: these call
+     * their methods from many places, each of which would be made.
+     */
     private static List<Integer> variants(Statements constants) {
         int shift = constants.constant("Variant", "VIEW_SHIFT");
         int always = constants.constant("Variant", "PATH") | constants.constant("Variant", "MATERIALS");
+        int never = constants.constant("Variant", "FINISH");
         List<Integer> variants = new ArrayList<>();
         for (int bits = 0; bits < 1 << shift; bits++) {
             for (String view : List.of("FULL", "GUIDED", "LAYERED", "CUT", "CUT_GUIDED", "CUT_LAYERED")) {
-                if ((bits & always) == always) {
+                if ((bits & always) == always && (bits & never) == 0) {
                     variants.add(bits | constants.constant("Views", view) << shift);
                 }
             }

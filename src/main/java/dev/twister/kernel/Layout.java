@@ -842,7 +842,17 @@ public final class Layout {
 
     public static final int UNDER_TINT = FINISH + FINISH_LENGTH + 14;
 
-    public static final int FINISHED_PATH_LENGTH = FINISH + FINISH_LENGTH + 17;
+    /** Place of the sheen's tables in {@code looks}. */
+    public static final int SHEEN_TABLE = FINISH + FINISH_LENGTH + 17;
+
+    /** What {@link FinishAlbedos} finds. */
+    public static final int FOUND_MIRROR = FINISH + FINISH_LENGTH + 18;
+
+    public static final int FOUND_COAT = FINISH + FINISH_LENGTH + 19;
+    public static final int FOUND_GLASS = FINISH + FINISH_LENGTH + 20;
+    public static final int FOUND_COSINE = FINISH + FINISH_LENGTH + 21;
+
+    public static final int FINISHED_PATH_LENGTH = FINISH + FINISH_LENGTH + 22;
 
     /** The largest reflectivity, that of a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;

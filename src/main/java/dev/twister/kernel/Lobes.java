@@ -40,9 +40,9 @@ public final class Lobes {
      * @param bounce number of surfaces that the path has left before
      */
     public static void prepare(float[] path, int body, int bounce, float[] frame, float[] looks, int variant) {
-        int finished = Finish.isOn(path, variant);
+        int finished = FinishLobes.isOn(path, variant);
         if (finished != 0) {
-            Finish.begin(path, bounce, frame);
+            FinishLobes.begin(path, bounce, frame);
         }
         int mesh = Surface.isMesh(body, frame, variant);
         float side = Facet.directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
@@ -82,7 +82,7 @@ public final class Lobes {
             keep(path, (int) looks[Layout.LOOK_STRIDE * body + Layout.LOOK_ALBEDOS], looks, variant);
         }
         if (finished != 0) {
-            Finish.cover(path, body, 1 - isInside(path), looks);
+            FinishLobes.cover(path, body, 1 - isInside(path), looks);
         }
         choices(path, variant);
     }
@@ -93,54 +93,76 @@ public final class Lobes {
      * @param tables place of {@link DirectionalAlbedo}'s tables
      */
     private static void keep(float[] path, int tables, float[] looks, int variant) {
-        float straight = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
-        float cosine = Finish.masked(
-                path,
-                path[Layout.DIRECTION],
-                path[Layout.DIRECTION + 1],
-                path[Layout.DIRECTION + 2],
-                straight,
-                variant);
+        float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
         float roughness = path[Layout.ROUGHNESS];
         int inside = isInside(path);
         int mirror = tables + DirectionalAlbedo.MIRROR * DirectionalAlbedo.TABLE_LENGTH;
         int coat = tables + DirectionalAlbedo.COAT * DirectionalAlbedo.TABLE_LENGTH;
         int glass = tables + (DirectionalAlbedo.GLASS + inside) * DirectionalAlbedo.TABLE_LENGTH;
-        path[Layout.MIRROR_ALBEDO] = mirror;
+        int stretched = findAlbedos(path, variant);
+        path[Layout.MIRROR_ALBEDO] = stretched != 0 ? 0 : mirror;
         path[Layout.COAT_ALBEDO] = coat;
         float coated = coated(path);
         float left = 1f - coated * DirectionalAlbedo.mean(coat, roughness, looks);
-        float taken = coated * DirectionalAlbedo.of(coat, roughness, cosine, looks);
+        float taken = coated * albedo(path, coat, Layout.FOUND_COAT, cosine, looks, variant);
         path[Layout.UNDER_COAT] = (1f - taken) / Math.max(left, LEAST_SQUARE);
         path[Layout.MEAN_UNDER_COAT] = left;
-        float mean = DirectionalAlbedo.mean(mirror, roughness, looks);
-        path[Layout.MEAN_AGAIN] = 1f - mean;
-        float once = DirectionalAlbedo.of(mirror, roughness, cosine, looks);
-        float again = path[Layout.PART_MIRROR] * (1f - once) / Math.max(1f - mean, LEAST_SQUARE);
+        float once = albedo(path, mirror, Layout.FOUND_MIRROR, cosine, looks, variant);
+        float mean = stretched != 0 ? once : DirectionalAlbedo.mean(mirror, roughness, looks);
+        float meanAgain = stretched != 0 ? 1f : 1f - mean;
+        path[Layout.MEAN_AGAIN] = meanAgain;
+        float again = path[Layout.PART_MIRROR] * (1f - once) / Math.max(meanAgain, LEAST_SQUARE);
         for (int channel = 0; channel < 3; channel++) {
             float albedo = path[Layout.ALBEDO + channel];
             float bare = albedo + (1f - albedo) * MEAN_OF_SCHLICK;
-            float reflected = filmed(path, channel, straight, albedo, bare, variant);
+            float reflected = filmed(path, channel, cosine, albedo, bare, variant);
             path[Layout.SCATTERED_AGAIN + channel] =
                     again * reflected * reflected * mean / Math.max(1f - reflected * (1f - mean), LEAST_SQUARE);
         }
         // Through a sheet light leaves as if it were reflected.
-        int all = path[Layout.IS_SHEET] > 0f ? mirror : glass;
-        float whole = roughness > 0f ? 1f / DirectionalAlbedo.of(all, roughness, cosine, looks) : 1f;
+        float whole = path[Layout.IS_SHEET] > 0f ? once : albedo(path, glass, Layout.FOUND_GLASS, cosine, looks, variant);
+        float scale = roughness > 0f ? 1f / whole : 1f;
         float transmission = path[Layout.TRANSMISSION];
         float coats = inside != 0 ? 0f : 1f - transmission;
-        path[Layout.PART_COAT] = path[Layout.PART_COAT] * (coats + transmission * whole);
-        path[Layout.PART_GLASS] = path[Layout.PART_GLASS] * whole;
-        if (Finish.isOn(path, variant) != 0) {
-            Finish.tint(path, straight, taken, fresnel(path, straight));
+        path[Layout.PART_COAT] = path[Layout.PART_COAT] * (coats + transmission * scale);
+        path[Layout.PART_GLASS] = path[Layout.PART_GLASS] * scale;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            FinishLobes.tint(path, taken, coated);
         }
+    }
+
+    /** Writes the albedos of stretched and tinted facets; returns 1 if they are stretched, else 0. */
+    private static int findAlbedos(float[] path, int variant) {
+        int stretched = 0;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            stretched = path[Layout.STRETCH] > 1f ? 1 : 0;
+            if ((stretched | (path[Layout.IS_TINTED] > 0f ? 1 : 0)) != 0) {
+                FinishAlbedos.find(path);
+            }
+        }
+        return stretched;
+    }
+
+    /**
+     * An albedo in the direction of the ray's origin.
+     *
+     * @param table its place in {@code looks}
+     * @param found its place in the path, if the facets are stretched
+     */
+    private static float albedo(
+            float[] path, int table, int found, float cosine, float[] looks, int variant) {
+        float albedo = DirectionalAlbedo.of(table, path[Layout.ROUGHNESS], cosine, looks);
+        if (FinishLobes.isOn(path, variant) != 0) {
+            albedo = path[Layout.STRETCH] > 1f ? path[found] : albedo;
+        }
+        return albedo;
     }
 
     /** A metal's reflectance under the finish's thin film, if there is one. */
     private static float filmed(float[] path, int channel, float cosine, float straight, float bare, int variant) {
         float filmed = bare;
-        if (Finish.isOn(path, variant) != 0) {
-            filmed = Finish.filmed(path, channel, cosine, straight, bare);
+        if (FinishLobes.isOn(path, variant) != 0) {
+            filmed = FinishLobes.filmed(path, channel, cosine, straight, bare);
         }
         return filmed;
     }
@@ -160,8 +182,8 @@ public final class Lobes {
      */
     private static float matte(float[] path, int channel, float underCoat, float again, int variant) {
         float under = underCoat;
-        if (Finish.isOn(path, variant) != 0) {
-            under = Finish.under(path, channel, underCoat);
+        if (FinishLobes.isOn(path, variant) != 0) {
+            under = FinishLobes.under(path, channel, underCoat);
         }
         return path[Layout.PART_MATTE] * under * path[Layout.ALBEDO + channel]
                 + again * path[Layout.SCATTERED_AGAIN + channel];
@@ -180,9 +202,9 @@ public final class Lobes {
                 matte(path, 2, underCoat, again, variant));
         float glass = mostPassed(path, cosine, fresnel, variant);
         float finish = 0f;
-        if (Finish.isOn(path, variant) != 0) {
+        if (FinishLobes.isOn(path, variant) != 0) {
             matte = matte + path[Layout.SHEEN_ALBEDO];
-            finish = Finish.choices(path, mirror + matte + glass);
+            finish = FinishLobes.choices(path, mirror + matte + glass);
         }
         if (path[Layout.ROUGHNESS] > 0f) {
             float sum = mirror + matte + glass + finish;
@@ -195,7 +217,7 @@ public final class Lobes {
         path[Layout.CHOICE_MIRROR] = mirror * inverse;
         path[Layout.CHOICE_MATTE] = matte * inverse;
         path[Layout.CHOICE_GLASS] = glass * inverse;
-        if (Finish.isOn(path, variant) != 0) {
+        if (FinishLobes.isOn(path, variant) != 0) {
             path[Layout.CHOICE_COAT] = path[Layout.CHOICE_COAT] * inverse;
             path[Layout.CHOICE_THROUGH] = path[Layout.CHOICE_THROUGH] * inverse;
         }
@@ -226,8 +248,8 @@ public final class Lobes {
     /** One channel of the dielectric reflectance, of which {@link #fresnel} is that without a finish. */
     private static float dielectric(float[] path, int channel, float cosine, float fresnel, int variant) {
         float tinted = fresnel;
-        if (Finish.isOn(path, variant) != 0) {
-            tinted = Finish.tinted(path, channel, cosine, fresnel);
+        if (FinishLobes.isOn(path, variant) != 0) {
+            tinted = FinishLobes.tinted(path, channel, cosine, fresnel);
         }
         return tinted;
     }
@@ -261,7 +283,7 @@ public final class Lobes {
     /** 1 if light from other than single directions is scattered, so that emitters are worth sampling. */
     public static int scatters(float[] path, int variant) {
         int finish = 0;
-        if (Finish.isOn(path, variant) != 0) {
+        if (FinishLobes.isOn(path, variant) != 0) {
             finish = ClearCoat.scatters(path) | (path[Layout.CHOICE_THROUGH] > 0f ? 1 : 0);
         }
         return finish
@@ -289,11 +311,12 @@ public final class Lobes {
             float underCoat = 1f;
             float again = 0f;
             if (path[Layout.COAT_ALBEDO] > 0f) {
-                float cosine = Finish.masked(path, x, y, z, Math.min(cosineOut, 1f), variant);
+                float cosine = Math.min(cosineOut, 1f);
                 float roughness = path[Layout.ROUGHNESS];
                 float coat = DirectionalAlbedo.of((int) path[Layout.COAT_ALBEDO], roughness, cosine, looks);
                 underCoat = path[Layout.UNDER_COAT] * (1f - coated(path) * coat);
-                again = 1f - DirectionalAlbedo.of((int) path[Layout.MIRROR_ALBEDO], roughness, cosine, looks);
+                int mirror = (int) path[Layout.MIRROR_ALBEDO];
+                again = mirror > 0 ? 1f - DirectionalAlbedo.of(mirror, roughness, cosine, looks) : 1f;
             }
             float matte = cosineOut / KernelMath.PI;
             for (int channel = 0; channel < 3; channel++) {
@@ -304,8 +327,8 @@ public final class Lobes {
         if (((above | below) & (path[Layout.ROUGHNESS] > 0f ? 1 : 0)) != 0) {
             density = density + rough(path, x, y, z, cosineIn, cosineOut, variant);
         }
-        if (Finish.isOn(path, variant) != 0) {
-            density = density + Finish.evaluate(path, x, y, z, cosineOut, faceOut);
+        if (FinishLobes.isOn(path, variant) != 0) {
+            density = density + FinishLobes.evaluate(path, x, y, z, cosineOut, faceOut, looks);
         }
         return density;
     }
@@ -342,14 +365,14 @@ public final class Lobes {
         int seen = (viewDotHalf > 0f ? 1 : 0) & (refracts != 0 ? (outDotHalf < 0f ? 1 : 0) : 1);
         float refracted = viewDotHalf * Math.abs(outDotHalf) / Math.max(lengthSquared, LEAST_SQUARE);
         float facets = seen != 0 ? visible * (refracts != 0 ? refracted : 0.25f) : 0f;
-        float in = Finish.masked(
+        float in = masked(
                 path,
                 path[Layout.DIRECTION],
                 path[Layout.DIRECTION + 1],
                 path[Layout.DIRECTION + 2],
                 cosineIn,
                 variant);
-        float out = Finish.masked(path, x, y, z, Math.abs(cosineOut), variant);
+        float out = masked(path, x, y, z, Math.abs(cosineOut), variant);
         float weight = facets * Facet.weight(path[Layout.ROUGHNESS], in, out);
         float cosine = Math.min(Math.max(viewDotHalf, 0f), 1f);
         float fresnel = fresnel(path, cosine);
@@ -368,12 +391,21 @@ public final class Lobes {
     private static float visible(
             float[] path, float x, float y, float z, float cosine, float cosineIn, float alpha, int variant) {
         float density = 0f;
-        if (Finish.isOn(path, variant) != 0) {
-            density = Finish.visibleDensity(path, x, y, z, cosine, cosineIn, alpha);
+        if (FinishLobes.isOn(path, variant) != 0) {
+            density = Grain.visibleDensity(path, x, y, z, cosine, cosineIn, alpha);
         } else {
             density = Facet.visibleDensity(alpha, cosine, cosineIn);
         }
         return density;
+    }
+
+    /** The cosine of a direction that decides how much of it the facets mask. */
+    private static float masked(float[] path, float x, float y, float z, float cosine, int variant) {
+        float masked = cosine;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            masked = Grain.masked(path, x, y, z, cosine);
+        }
+        return masked;
     }
 
     /** The part of the rays that meet a facet which it reflects; the others pass. */
@@ -411,15 +443,17 @@ public final class Lobes {
             path[Layout.CHOICE_GLASS] = choice * (1f - mirrors);
         }
         int lobe = chosen(path, bounce, frame, variant);
-        int through = lobe == THROUGH ? 1 : 0;
-        int matte = (lobe == MATTE ? 1 : 0) | through;
         int glass = lobe == GLASS ? 1 : 0;
-        int coat = lobe == COAT ? 1 : 0;
-        if (Finish.isOn(path, variant) != 0) {
+        int through = 0;
+        int coat = 0;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            through = lobe == THROUGH ? 1 : 0;
+            coat = lobe == COAT ? 1 : 0;
             if (coat != 0) {
                 ClearCoat.sampleFacet(path, first, second);
             }
         }
+        int matte = (lobe == MATTE ? 1 : 0) | through;
         if (matte != 0) {
             float sine = (float) Math.sqrt(first);
             TangentFrame.write(
@@ -440,7 +474,7 @@ public final class Lobes {
         path[Layout.NEXT_INSIDE] = crosses != 0 ? Branch.crossed(inside > 0f ? 0 : 1) : inside;
         int spread = matte | (spreads(path, coat, variant) > 0f ? 1 : 0);
         if (spread == 0) {
-            mirrorLike(path, lobe, variant);
+            mirrorLike(path, glass, coat, variant);
         }
         if (spread != 0) {
             float density = evaluate(
@@ -450,7 +484,7 @@ public final class Lobes {
                     path[Layout.NEXT_DIRECTION + 2],
                     looks,
                     variant);
-            int goesOn = (density > 0f ? 1 : 0) & isOnSide(path, lobe);
+            int goesOn = (density > 0f ? 1 : 0) & isOnSide(path, glass, through);
             float inverse = goesOn != 0 ? 1f / density : 0f;
             path[Layout.SURFACE_DENSITY] = goesOn != 0 ? density : 0f;
             multiply(
@@ -468,17 +502,20 @@ public final class Lobes {
      */
     public static int chosen(float[] path, int bounce, float[] frame, int variant) {
         float number = Noise.fresh(path, Noise.scatter(bounce), frame);
-        float coat = 0f;
-        float finish = 0f;
-        if (Finish.isOn(path, variant) != 0) {
-            coat = path[Layout.CHOICE_COAT];
-            finish = coat + path[Layout.CHOICE_THROUGH];
+        int lobe = chosen(path, number);
+        if (FinishLobes.isOn(path, variant) != 0) {
+            float coat = path[Layout.CHOICE_COAT];
+            float finish = coat + path[Layout.CHOICE_THROUGH];
+            int below = chosen(path, number - finish);
+            int above = number < coat ? COAT : THROUGH;
+            lobe = number < finish ? above : below;
         }
-        float left = number - finish;
-        int spreads = left < path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_MATTE] ? MATTE : GLASS;
-        int below = left < path[Layout.CHOICE_MIRROR] ? MIRROR : spreads;
-        int above = number < coat ? COAT : THROUGH;
-        return number < finish ? above : below;
+        return lobe;
+    }
+
+    private static int chosen(float[] path, float number) {
+        int spreads = number < path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_MATTE] ? MATTE : GLASS;
+        return number < path[Layout.CHOICE_MIRROR] ? MIRROR : spreads;
     }
 
     /** The probability with which {@link #choose} has chosen a lobe. */
@@ -487,8 +524,8 @@ public final class Lobes {
     }
 
     private static void sampleFacet(float[] path, float first, float second, int variant) {
-        if (Finish.isOn(path, variant) != 0) {
-            Finish.sampleFacet(path, first, second);
+        if (FinishLobes.isOn(path, variant) != 0) {
+            Grain.sampleFacet(path, first, second);
         } else {
             Facet.sample(path, first, second);
         }
@@ -497,7 +534,7 @@ public final class Lobes {
     /** The roughness of the facets that have been sampled: those of the coat, or those below. */
     private static float spreads(float[] path, int coat, int variant) {
         float roughness = path[Layout.ROUGHNESS];
-        if (Finish.isOn(path, variant) != 0) {
+        if (FinishLobes.isOn(path, variant) != 0) {
             roughness = coat != 0 ? path[Layout.FINISH + Layout.FINISH_COAT_ROUGHNESS] : roughness;
         }
         return roughness;
@@ -507,20 +544,17 @@ public final class Lobes {
      * 1 if the next ray is on the side of the surface that its lobe leads to, else 0. A facet that reflects totally
      * refracts nowhere.
      */
-    private static int isOnSide(float[] path, int lobe) {
+    private static int isOnSide(float[] path, int glass, int through) {
         float height = path[Layout.NORMAL] * path[Layout.NEXT_DIRECTION]
                 + path[Layout.NORMAL + 1] * path[Layout.NEXT_DIRECTION + 1]
                 + path[Layout.NORMAL + 2] * path[Layout.NEXT_DIRECTION + 2];
         float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.FACET), 0f), 1f);
-        int below = height < 0f ? 1 : 0;
-        int refracted = below & (fresnel(path, cosine) < 1f ? 1 : 0);
-        int passes = lobe == THROUGH ? below : refracted;
-        return ((lobe == GLASS ? 1 : 0) | (lobe == THROUGH ? 1 : 0)) != 0 ? passes : (height > 0f ? 1 : 0);
+        int passes = (height < 0f ? 1 : 0) & ((fresnel(path, cosine) < 1f ? 1 : 0) | through);
+        return (glass | through) != 0 ? passes : (height > 0f ? 1 : 0);
     }
 
     /** Multiplies the throughput by the weight of a perfect mirror, of clear glass, or of a smooth coat. */
-    private static void mirrorLike(float[] path, int lobe, int variant) {
-        int glass = lobe == GLASS ? 1 : 0;
+    private static void mirrorLike(float[] path, int glass, int coat, int variant) {
         float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
         float fresnel = fresnel(path, cosine);
         float choice = glass != 0 ? path[Layout.CHOICE_GLASS] : path[Layout.CHOICE_MIRROR];
@@ -533,16 +567,12 @@ public final class Lobes {
         float red = mirrored(path, 0, glass, cosine, fresnel, variant);
         float green = mirrored(path, 1, glass, cosine, fresnel, variant);
         float blue = mirrored(path, 2, glass, cosine, fresnel, variant);
-        float coat = 1f;
-        if (Finish.isOn(path, variant) != 0) {
-            coat = ClearCoat.mirrored(path);
+        if (coat == 0) {
+            multiply(path, red * inverse, green * inverse, blue * inverse);
+        } else {
+            float mirrored = ClearCoat.mirrored(path);
+            multiply(path, mirrored, mirrored, mirrored);
         }
-        int coats = lobe == COAT ? 1 : 0;
-        multiply(
-                path,
-                coats != 0 ? coat : red * inverse,
-                coats != 0 ? coat : green * inverse,
-                coats != 0 ? coat : blue * inverse);
     }
 
     private static float mirrored(float[] path, int channel, int glass, float cosine, float fresnel, int variant) {

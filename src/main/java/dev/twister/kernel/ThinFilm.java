@@ -2,7 +2,7 @@ package dev.twister.kernel;
 
 /**
  * Interference in a thin film over a surface (Belcour and Barla, "A Practical Extension to Microfacet Theory for the
- * Modeling of Varying Iridescence", 2017), with the approximations of glTF's {@code KHR_materials_iridescence}.
+ * Modeling of Varying Iridescence", 2017), as glTF's {@code KHR_materials_iridescence} approximates it.
  */
 final class ThinFilm {
     private static final float INVERSE_E = 0.36787945f;
@@ -46,14 +46,14 @@ final class ThinFilm {
                 1f + (path[Layout.FINISH + Layout.FINISH_FILM_IOR] - 1f) * faded * faded * (3f - 2f * faded);
         float inside = 1f - (1f - cosine * cosine) / (index * index);
         float cosineInside = (float) Math.sqrt(Math.min(Math.max(inside, 0f), 1f));
-        float outer = schlick(straight(1f, index), cosine);
+        float outer = Refraction.reflectance(cosine, 1f / index);
         float passed = 1f - outer;
         float root = (float) Math.sqrt(Math.min(straight, MOST));
         float below = (1f + root) / Math.max(1f - root, LEAST);
         float inner = schlick(straight(index, below), cosineInside);
         float shift = below < index ? 1f : 0.5f;
         float path2 = 2f * index * thickness * cosineInside;
-        float both = Math.min(Math.max(outer * inner, LEAST), MOST);
+        float both = Math.min(outer * inner, MOST);
         float bounced = passed * passed * inner / (1f - both);
         float amplitude = (float) Math.sqrt(both);
         float first = (bounced - passed) * amplitude;

@@ -28,7 +28,7 @@ final class PathTile {
     private final int[] packets = new int[PACKETS];
 
     /** For the pixels that are stored. */
-    private final float[] path = new float[Layout.FINISHED_PATH_LENGTH];
+    private final float[] path = new float[Layout.LAYERED_PATH_LENGTH];
 
     private final float[] scratch = new float[Layout.LAYERED_SCRATCH_LENGTH];
 

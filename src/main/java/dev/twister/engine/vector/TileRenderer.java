@@ -1,5 +1,6 @@
 package dev.twister.engine.vector;
 
+import dev.twister.kernel.Variant;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.shadow.Shadows;
@@ -68,7 +69,8 @@ final class TileRenderer {
     }
 
     private void drawPaths(Drawing drawing) {
-        if (rehearsal.isOver()) {
+        boolean made = (drawing.input.variant(false) & Variant.FINISH) == 0;
+        if (made && rehearsal.isOver()) {
             paths.draw(drawing);
         } else {
             long start = PathRehearsal.clockNanos();
@@ -77,7 +79,7 @@ final class TileRenderer {
             } else {
                 packetPaths.draw(drawing);
             }
-            if (rehearses) {
+            if (made && rehearses) {
                 rehearsal.goOn(paths, drawing, tile, PathRehearsal.clockNanos() - start);
             }
         }

@@ -1,7 +1,6 @@
 package dev.twister.world.table;
 
 import dev.twister.kernel.DirectionalAlbedo;
-import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -23,8 +22,6 @@ final class AlbedoTables {
 
     /** In place of a number of steps: the table of the sheen. */
     private static final int SHEEN = Integer.MAX_VALUE;
-
-    private static final int SHEEN_STEPS = 32;
 
     /** By the number of steps from glass, or {@link #SHEEN}. */
     private final Map<Integer, float[]> computed = new HashMap<>();
@@ -55,44 +52,10 @@ final class AlbedoTables {
             return looks;
         }
         float[] tables =
-                computed.computeIfAbsent(steps, key -> key == SHEEN ? sheen() : compute(key));
+                computed.computeIfAbsent(steps, key -> key == SHEEN ? SheenTables.compute() : compute(key));
         float[] all = Arrays.copyOf(looks, looks.length + tables.length);
         System.arraycopy(tables, 0, all, looks.length, tables.length);
         return all;
-    }
-
-    /** The albedo of a white sheen; its means are not used. */
-    private static float[] sheen() {
-        float[] table = new float[DirectionalAlbedo.TABLE_LENGTH];
-        int places = DirectionalAlbedo.COSINES * DirectionalAlbedo.ROUGHNESSES;
-        IntStream.range(0, places).parallel().forEach(place -> {
-            int row = place / DirectionalAlbedo.COSINES;
-            double root = (place - DirectionalAlbedo.COSINES * row) / (DirectionalAlbedo.COSINES - 1.0);
-            double roughness = row / (DirectionalAlbedo.ROUGHNESSES - 1.0);
-            table[place] = (float) sheen(Math.max(root * root, LEAST_COSINE), roughness);
-        });
-        return table;
-    }
-
-    /** The integral over outgoing directions, of which half the turn is enough. */
-    private static double sheen(double cosineIn, double roughness) {
-        double exponent = 1 / Math.max(roughness * roughness, 1 / (double) KernelMath.MOST_EXPONENT);
-        double sineIn = Math.sqrt(1 - cosineIn * cosineIn);
-        double sum = 0;
-        for (int i = 0; i < SHEEN_STEPS; i++) {
-            double cosine = (i + 0.5) / SHEEN_STEPS;
-            double sine = Math.sqrt(1 - cosine * cosine);
-            for (int j = 0; j < SHEEN_STEPS; j++) {
-                double turned = Math.cos(Math.PI * (j + 0.5) / SHEEN_STEPS);
-                double level = sineIn + sine * turned;
-                double across = sine * sine * (1 - turned * turned);
-                double up = cosineIn + cosine;
-                double flat = (level * level + across) / (level * level + across + up * up);
-                double fibers = (2 + exponent) * Math.pow(flat, exponent / 2) / (2 * Math.PI);
-                sum += fibers * cosine / (4 * (cosineIn + cosine - cosineIn * cosine));
-            }
-        }
-        return sum * 2 * Math.PI / (SHEEN_STEPS * SHEEN_STEPS);
     }
 
     private static float[] compute(int steps) {

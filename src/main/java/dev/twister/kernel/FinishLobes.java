@@ -5,20 +5,13 @@ package dev.twister.kernel;
  * and a sheen on top, which take what they reflect from the rest; the color of the specular reflection, a thin film and
  * anisotropy of the reflection below; light that passes a matte surface; dispersion.
  */
-final class Finish {
-    /** Facets of a smooth surface can't be stretched. */
-    private static final float LEAST_ROUGHNESS = 0.03f;
-
-    /** The sheen's squared roughness is at least the inverse of the largest exponent. */
-    private static final float LEAST_SHEEN = 1f / KernelMath.MOST_EXPONENT;
-
+final class FinishLobes {
     /** Half the difference of the indices of blue and red per dispersion and {@code n - 1}. */
     private static final float HALF_SPREAD = 0.025f;
 
-    private static final float LEAST_COSINE = 1e-4f;
     private static final float LEAST_SQUARE = 1e-12f;
 
-    private Finish() {}
+    private FinishLobes() {}
 
     /** 1 if the surface has a finish, else 0. */
     static int isOn(float[] path, int variant) {
@@ -30,19 +23,16 @@ final class Finish {
     }
 
     /**
-     * Prepares the surface before its lobes: chooses the channel that a dispersive surface refracts, to which the path
-     * then belongs, and writes by how much the facets are stretched.
+     * Prepares the surface before its lobes: stretches the facets, and chooses the channel that a dispersive surface
+     * refracts, to which the path then belongs.
      *
      * @param bounce number of surfaces that the path has left before
      */
     static void begin(float[] path, int bounce, float[] frame) {
-        float strength = path[Layout.FINISH + Layout.FINISH_ANISOTROPY];
-        int grained = strength > 0f ? 1 : 0;
-        float roughness = path[Layout.ROUGHNESS];
-        roughness = grained != 0 ? Math.max(roughness, LEAST_ROUGHNESS) : roughness;
-        path[Layout.ROUGHNESS] = roughness;
-        float alpha = roughness * roughness;
-        path[Layout.STRETCH] = grained != 0 ? 1f + (1f - alpha) * strength * strength / alpha : 1f;
+        Grain.begin(path);
+        int color = Layout.FINISH + Layout.FINISH_SPECULAR_COLOR;
+        int white = (path[color] == 1f ? 1 : 0) & (path[color + 1] == 1f ? 1 : 0) & (path[color + 2] == 1f ? 1 : 0);
+        path[Layout.IS_TINTED] = (1 - white) | (path[Layout.FINISH + Layout.FINISH_FILM] > 0f ? 1 : 0);
         if (path[Layout.FINISH + Layout.FINISH_DISPERSION] * path[Layout.TRANSMISSION] > 0f) {
             disperse(path, bounce, frame);
         }
@@ -76,10 +66,8 @@ final class Finish {
         path[Layout.COVER_COAT] = coat;
         float reflected = coat * ClearCoat.albedo(path, (int) looks[row + Layout.FINISH_COAT_ALBEDO], looks);
         path[Layout.COVER_SHEEN] = outside * (1f - reflected);
-        int sheens = (int) looks[row + Layout.FINISH_SHEEN_ALBEDO];
-        float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
-        float sheenRoughness = path[Layout.FINISH + Layout.FINISH_SHEEN_ROUGHNESS];
-        float sheen = mostSheen(path) * DirectionalAlbedo.of(sheens, sheenRoughness, cosine, looks);
+        path[Layout.SHEEN_TABLE] = looks[row + Layout.FINISH_SHEEN_ALBEDO];
+        float sheen = mostSheen(path) * Sheen.albedo(path, looks);
         path[Layout.CHOICE_COAT] = reflected;
         path[Layout.SHEEN_ALBEDO] = path[Layout.COVER_SHEEN] * sheen;
         float rest = outside != 0 ? (1f - reflected) * (1f - sheen) : 1f;
@@ -98,28 +86,28 @@ final class Finish {
     }
 
     /**
-     * Writes what the matte part gets under a reflection that a film or a color tints: what that leaves in the
-     * direction of the ray's origin.
+     * Writes what the dielectric reflection leaves to the matte part in the direction of the ray's origin.
      *
-     * @param coat what the same reflection without a tint takes in that direction
-     * @param fresnel its reflectance at the normal
+     * @param part the part of the surface that reflects so
      */
-    static void tint(float[] path, float cosine, float coat, float fresnel) {
-        int color = Layout.FINISH + Layout.FINISH_SPECULAR_COLOR;
-        int white = (path[color] == 1f ? 1 : 0) & (path[color + 1] == 1f ? 1 : 0) & (path[color + 2] == 1f ? 1 : 0);
-        int tints = (1 - white) | (path[Layout.FINISH + Layout.FINISH_FILM] > 0f ? 1 : 0);
-        path[Layout.IS_TINTED] = tints;
-        float scale = coat / Math.max(fresnel, LEAST_SQUARE);
+    static void tint(float[] path, float taken, float part) {
+        float cosine = path[Layout.FOUND_COSINE];
+        float fresnel = Refraction.reflectance(cosine, path[Layout.RATIO]);
         for (int channel = 0; channel < 3; channel++) {
-            float taken = tints != 0 ? scale * tinted(path, channel, cosine, fresnel) : coat;
-            path[Layout.UNDER_TINT + channel] = Math.max(1f - taken, 0f);
+            float left = 1f - taken;
+            if (path[Layout.IS_TINTED] > 0f) {
+                float more = tinted(path, channel, cosine, part * fresnel) - part * fresnel;
+                left = left - path[Layout.FOUND_MIRROR] * more;
+            }
+            path[Layout.UNDER_TINT + channel] = Math.min(Math.max(left, 0f), 1f);
         }
     }
 
     /** The factor of the matte part of one channel that stays on this side. */
     static float under(float[] path, int channel, float underCoat) {
         float stays = 1f - path[Layout.FINISH + Layout.FINISH_THROUGH];
-        return stays * (path[Layout.IS_TINTED] > 0f ? path[Layout.UNDER_TINT + channel] : underCoat);
+        int fromHere = (path[Layout.IS_TINTED] > 0f ? 1 : 0) | (path[Layout.STRETCH] > 1f ? 1 : 0);
+        return stays * (fromHere != 0 ? path[Layout.UNDER_TINT + channel] : underCoat);
     }
 
     /** What passes the matte part of one channel in a direction, times pi. */
@@ -187,81 +175,19 @@ final class Finish {
     }
 
     /**
-     * The cosine that decides how much of a direction facets mask: that of the direction stretched along the grain, by
-     * which stretched facets are as others.
-     *
-     * @param cosine between the direction and the normal
-     */
-    static float masked(float[] path, float x, float y, float z, float cosine, int variant) {
-        float masked = cosine;
-        if (isOn(path, variant) != 0) {
-            float along = x * path[Layout.GRAIN] + y * path[Layout.GRAIN + 1] + z * path[Layout.GRAIN + 2];
-            float stretch = path[Layout.STRETCH];
-            masked = cosine * KernelMath.inverseRoot(1f + (stretch * stretch - 1f) * along * along);
-        }
-        return masked;
-    }
-
-    /**
-     * {@link Facet#visibleDensity} of a unit facet, which is pressed together along the grain to where facets are as
-     * others.
-     *
-     * @param cosine between the facet and the normal
-     */
-    static float visibleDensity(
-            float[] path, float x, float y, float z, float cosine, float cosineIn, float alpha) {
-        float along = x * path[Layout.GRAIN] + y * path[Layout.GRAIN + 1] + z * path[Layout.GRAIN + 2];
-        float stretch = path[Layout.STRETCH];
-        float squared = 1f + (1f / (stretch * stretch) - 1f) * along * along;
-        float grain = Facet.directionDot(path, Layout.GRAIN);
-        float masked = cosineIn * KernelMath.inverseRoot(1f + (stretch * stretch - 1f) * grain * grain);
-        float density = Facet.visibleDensity(alpha, cosine * KernelMath.inverseRoot(squared), masked);
-        return density * masked / (cosineIn * stretch * squared * squared);
-    }
-
-    /** As {@link Facet#sample}, of stretched facets: in the space where they are as others. */
-    static void sampleFacet(float[] path, float first, float second) {
-        float x = path[Layout.DIRECTION];
-        float y = path[Layout.DIRECTION + 1];
-        float z = path[Layout.DIRECTION + 2];
-        stretch(path, Layout.DIRECTION);
-        Facet.sample(path, first, second);
-        path[Layout.DIRECTION] = x;
-        path[Layout.DIRECTION + 1] = y;
-        path[Layout.DIRECTION + 2] = z;
-        stretch(path, Layout.FACET);
-        float facetX = path[Layout.FACET];
-        float facetY = path[Layout.FACET + 1];
-        float facetZ = path[Layout.FACET + 2];
-        float inverse = KernelMath.inverseRoot(facetX * facetX + facetY * facetY + facetZ * facetZ);
-        path[Layout.FACET] = facetX * inverse;
-        path[Layout.FACET + 1] = facetY * inverse;
-        path[Layout.FACET + 2] = facetZ * inverse;
-    }
-
-    private static void stretch(float[] path, int vector) {
-        float along = path[vector] * path[Layout.GRAIN]
-                + path[vector + 1] * path[Layout.GRAIN + 1]
-                + path[vector + 2] * path[Layout.GRAIN + 2];
-        float more = (path[Layout.STRETCH] - 1f) * along;
-        path[vector] = path[vector] + more * path[Layout.GRAIN];
-        path[vector + 1] = path[vector + 1] + more * path[Layout.GRAIN + 1];
-        path[vector + 2] = path[vector + 2] + more * path[Layout.GRAIN + 2];
-    }
-
-    /**
      * Adds the sheen, the clear coat if it is rough, and the light that passes to {@link Layout#SCATTERED}.
      *
      * @param cosineOut between the direction and the normal
      * @param faceOut between the direction and the face
      * @return density of the direction by the lobes of the coat and of the light that passes
      */
-    static float evaluate(float[] path, float x, float y, float z, float cosineOut, float faceOut) {
+    static float evaluate(
+            float[] path, float x, float y, float z, float cosineOut, float faceOut, float[] looks) {
         int above = (cosineOut > 0f ? 1 : 0) & (faceOut > 0f ? 1 : 0);
         int below = (cosineOut < 0f ? 1 : 0) & (faceOut < 0f ? 1 : 0);
         float density = 0f;
         if (above != 0) {
-            float sheen = path[Layout.COVER_SHEEN] * cosineOut * sheen(path, x, y, z, cosineOut);
+            float sheen = path[Layout.COVER_SHEEN] * cosineOut * Sheen.evaluate(path, x, y, z, cosineOut, looks);
             for (int channel = 0; channel < 3; channel++) {
                 path[Layout.SCATTERED + channel] = path[Layout.SCATTERED + channel]
                         + sheen * path[Layout.FINISH + Layout.FINISH_SHEEN + channel];
@@ -276,25 +202,5 @@ final class Finish {
             density = path[Layout.CHOICE_THROUGH] * matte;
         }
         return density;
-    }
-
-    /**
-     * The sheen's reflectance per steradian: fibers at a right angle to the surface (Estevez and Kulla, "Production
-     * Friendly Microfacet Sheen BRDF", 2017), with the visibility of Neubelt and Pettineo (2013).
-     */
-    private static float sheen(float[] path, float x, float y, float z, float cosineOut) {
-        float halfX = x - path[Layout.DIRECTION];
-        float halfY = y - path[Layout.DIRECTION + 1];
-        float halfZ = z - path[Layout.DIRECTION + 2];
-        float inverse = KernelMath.inverseRoot(halfX * halfX + halfY * halfY + halfZ * halfZ);
-        float cosine =
-                (halfX * path[Layout.NORMAL] + halfY * path[Layout.NORMAL + 1] + halfZ * path[Layout.NORMAL + 2])
-                        * inverse;
-        float cosineIn = Math.max(-Facet.directionDot(path, Layout.NORMAL), LEAST_COSINE);
-        float roughness = path[Layout.FINISH + Layout.FINISH_SHEEN_ROUGHNESS];
-        float exponent = 1f / Math.max(roughness * roughness, LEAST_SHEEN);
-        float sine = (float) Math.sqrt(Math.min(Math.max(1f - cosine * cosine, 0f), 1f));
-        float fibers = (2f + exponent) * KernelMath.pow(sine, exponent) / (2f * KernelMath.PI);
-        return fibers / (4f * (cosineIn + cosineOut - cosineIn * cosineOut));
     }
 }
