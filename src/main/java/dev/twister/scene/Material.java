@@ -119,6 +119,11 @@ public record Material(
                 && (metallic > 0 || roughness > 0 || !finish.isNone());
     }
 
+    /** Whether path tracing shows a finish, which only a material has whose reflections Fresnel's equations decide. */
+    public boolean hasFinish() {
+        return isByFresnel() && !unlit && !finish.isNone();
+    }
+
     /** Whether, in path tracing, a metal is mixed with a constant reflection. */
     public boolean isMetalOverMirror() {
         return !isByFresnel() && reflectance != Reflectance.TINTED && metallic > 0;

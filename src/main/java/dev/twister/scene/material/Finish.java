@@ -160,13 +160,22 @@ public record Finish(
 
     /** Whether it changes nothing. */
     public boolean isNone() {
-        return clearcoat.part() == 0
-                && sheen.color().equals(NONE.sheen.color())
-                && anisotropy.strength() == 0
-                && specular.equals(NONE.specular)
-                && film.part() == 0
-                && dispersion == 0
-                && through.part() == 0;
+        // Most materials have none, which is found at once.
+        return equals(NONE) || parts().isEmpty();
+    }
+
+    /** The names, as glTF has them, of what it changes. */
+    public List<String> parts() {
+        return Stream.of(
+                        clearcoat.part() == 0 ? "" : "clearcoat",
+                        sheen.color().equals(NONE.sheen.color()) ? "" : "sheen",
+                        anisotropy.strength() == 0 ? "" : "anisotropy",
+                        specular.equals(NONE.specular) ? "" : "specular color",
+                        film.part() == 0 ? "" : "iridescence",
+                        dispersion == 0 ? "" : "dispersion",
+                        through.part() == 0 ? "" : "diffuse transmission")
+                .filter(part -> !part.isEmpty())
+                .toList();
     }
 
     /** The maps that it has. */

@@ -48,18 +48,13 @@ final class FinishTable {
         return new Slot(place, content, part.andThen(map));
     }
 
-    /** Whether path tracing shows a finish, which only a material that Fresnel's equations decide has. */
-    static boolean has(Material material) {
-        return material.isByFresnel() && !material.unlit() && !material.finish().isNone();
-    }
-
     /**
      * Number of the row of a material's finish, from 1 on; 0 without one.
      *
      * @throws IllegalArgumentException if a map is not among the images
      */
     int number(Material material) {
-        if (!has(material)) {
+        if (!material.hasFinish()) {
             return 0;
         }
         Finish finish = material.finish();

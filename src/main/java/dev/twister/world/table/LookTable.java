@@ -180,7 +180,7 @@ public final class LookTable {
         putEmission(looks, look, material.emission());
         looks[look + Layout.LOOK_FINISH] = finishes.number(material);
         boolean translucent =
-                FinishTable.has(material) && material.finish().through().part() > 0;
+                material.hasFinish() && material.finish().through().part() > 0;
         boolean sheet = transmission > 0 ? material.thinWalled() : translucent;
         looks[look + Layout.LOOK_SHEET] = sheet ? Layout.SHEET_OF_BODY : 0;
         material.attenuation().distance().ifPresent(distance -> putAbsorption(looks, look, material, distance));
