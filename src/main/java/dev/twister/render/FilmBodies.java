@@ -46,7 +46,7 @@ interface FilmBodies extends AutoCloseable {
             case BodyMotion.Simulated simulated ->
                 simulated(
                         simulated,
-                        Simulation.of(scene, meshes),
+                        Simulation.ofFilm(scene, meshes, simulated.startSeconds()),
                         movement.isBlurred() ? Optional.of(World.originOf(scene)) : Optional.empty(),
                         progress);
         };
