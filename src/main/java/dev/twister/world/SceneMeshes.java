@@ -315,6 +315,14 @@ public final class SceneMeshes {
         return loaded(mesh).file();
     }
 
+    /** The same, whatever the animation's start is. */
+    public MeshFile posedFile(Mesh mesh) {
+        return rest.orElse(this)
+                .loaded(mesh.withAnimation(MeshAnimation.NONE))
+                .file()
+                .posed(mesh.animation());
+    }
+
     /**
      * The vertices of a mesh that are farthest out in many directions, in the scene's coordinates. They approximate its
      * outline from any direction.

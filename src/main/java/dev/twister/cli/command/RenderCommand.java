@@ -36,6 +36,7 @@ import dev.twister.render.Finishing;
 import dev.twister.render.FrameRange;
 import dev.twister.render.PictureFormat;
 import dev.twister.render.RenderOrder;
+import dev.twister.render.RenderOrder.Movement;
 import dev.twister.render.RenderOutput;
 import dev.twister.render.RenderResult;
 import dev.twister.render.Renderer;
@@ -263,17 +264,25 @@ final class RenderCommand implements Callable<Integer> {
                 tone.fixed(camera.fixed(scene.withCamera(camera.over(scene)))).withRendering(settings);
         Optional<FrameRange> frames = film.frames(shown, meshes, motion, recorded, picture);
         if (frames.isEmpty()) {
-            film.checkSingle();
+            film.checkSingle(motion);
         }
         part.check(settings.height());
         Sampling usual = samples.over(settings.samplesPerPixel());
+        int samples = part.samplesOr(usual.samples());
+        Movement movement = film.movement(shown, motion, recorded, frames.isPresent());
+        if (movement.isBlurred() && samples == 1) {
+            spec.commandLine()
+                    .getErr()
+                    .println("twister: a shutter needs several samples per pixel, but there is 1, which shows one"
+                            + " moment; give --samples 16 or more");
+        }
         return new RenderOrder(
                 shown,
                 Engines.offer(engineId),
                 views.pictures(),
-                new Sampling(part.samplesOr(usual.samples()), usual.noise()),
+                new Sampling(samples, usual.noise()),
                 part.part(),
-                film.movement(shown, motion, recorded, frames.isPresent()),
+                movement,
                 denoising.finishing(tone.isMetered()),
                 output(picture, frames));
     }
@@ -382,6 +391,6 @@ final class RenderCommand implements Callable<Integer> {
         Rendering shaded = shading.over(usual)
                 .withSize(wanted.width(), wanted.height())
                 .withSamplesPerPixel(samples.over(usual.samplesPerPixel()).samples());
-        return tone.over(shaded);
+        return tone.over(film.over(shaded));
     }
 }
