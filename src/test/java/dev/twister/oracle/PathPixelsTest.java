@@ -128,9 +128,7 @@ class PathPixelsTest {
         double kept = 5 / (0.2126 * 40 + 0.7152 * 20 + 0.0722 * 10);
 
         float[] radiance = Pictures.radiance(
-                JvmEngines.SEQUENTIAL,
-                scene.withRendering(scene.rendering().withClamp(5)),
-                warm);
+                JvmEngines.SEQUENTIAL, scene.withRendering(scene.rendering().withClamp(5)), warm);
 
         for (int channel = 0; channel < radiance.length; channel++) {
             assertThat((double) radiance[channel]).isCloseTo(kept * warm.radiance()[channel % 3], within(1e-3));
