@@ -20,9 +20,10 @@ final class BandTeam {
     private static final double SHORTER = 0.97;
 
     /** Factor of a frame's time from which on the frames are others than those that were tried. */
-    private static final double CHANGED = 2;
+    private static final double CHANGED = 4;
 
-    private static final int CHANGED_FRAMES = 3;
+    /** Frames in a row, as other work on the machine makes single ones longer. */
+    private static final int CHANGED_FRAMES = 5;
 
     /** Frames before the second trial, and by what this number grows with each. */
     private static final int FIRST_FRAMES = 100;
@@ -48,10 +49,11 @@ final class BandTeam {
         return order.subList(0, size);
     }
 
-    /** The engines' devices, for display, and those that make frames longer. */
+    /** The engines' devices, for display; once that is known, without those that make frames longer. */
     String device() {
-        return names(taken())
-                + (chosen && size < order.size() ? "; faster without " + names(order.subList(size, order.size())) : "");
+        return !chosen || size == order.size()
+                ? names(order)
+                : names(taken()) + "; faster without " + names(order.subList(size, order.size()));
     }
 
     private static String names(List<BandWorker> workers) {

@@ -38,7 +38,7 @@ class BandTeamTest {
         BandTeam team = team(2);
         render(team, TRIALS, 6, 58);
 
-        render(team, 2, 60, 30);
+        render(team, 4, 60, 30);
         assertThat(team.taken()).hasSize(1);
         render(team, 1, 60, 30);
         assertThat(team.taken()).hasSize(2);
