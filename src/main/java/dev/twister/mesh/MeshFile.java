@@ -61,6 +61,15 @@ public record MeshFile(
                         .findFirst();
     }
 
+    /** For each animation, in the file's order, its name, or its number where no {@link #clip} finds it by a name. */
+    public List<String> clips() {
+        return IntStream.range(0, rig.clips().size())
+                .mapToObj(clip -> clip(rig.clips().get(clip).name()).equals(OptionalInt.of(clip))
+                        ? rig.clips().get(clip).name()
+                        : Integer.toString(clip))
+                .toList();
+    }
+
     /** The numbers and names of the animations, for people. */
     public String clipNames() {
         return IntStream.range(0, rig.clips().size())
