@@ -102,6 +102,14 @@ public record MeshFile(
         return clip.isPresent() ? rig.posed(this, clip.getAsInt(), animation.time(clipSeconds(animation))) : this;
     }
 
+    /** The lights and cameras at the start of one of the animations. */
+    FileSurroundings surroundings(MeshAnimation animation) {
+        OptionalInt clip = clip(animation.name());
+        return clip.isPresent()
+                ? rig.surroundings(this, clip.getAsInt(), animation.time(clipSeconds(animation)))
+                : surroundings;
+    }
+
     /** The box around all parts. */
     public Box bounds() {
         return bounds(Affine.IDENTITY);
