@@ -133,7 +133,7 @@ public final class GltfReader {
                     images.embedded(),
                     meshes.degenerateTriangles(),
                     surroundings.all(),
-                    rig(root, meshes, accessors, nodes));
+                    rig(root, meshes, accessors, nodes, surroundings.carriers()));
         }
     }
 
@@ -176,7 +176,12 @@ public final class GltfReader {
     }
 
     /** What moves in the file's animations. */
-    private MeshRig rig(GltfPlace root, GltfMeshes meshes, GltfAccessors accessors, GltfNodes nodes)
+    private MeshRig rig(
+            GltfPlace root,
+            GltfMeshes meshes,
+            GltfAccessors accessors,
+            GltfNodes nodes,
+            GltfSurroundings.Carriers carriers)
             throws IOException {
         if (root.at("animations").size() == 0) {
             return MeshRig.NONE;
@@ -190,7 +195,9 @@ public final class GltfReader {
                     .binding()
                     .ifPresent(binding -> binding.skin().joints().forEach(joint -> skeleton.add(joint, nodes)));
         }
-        return new GltfRig(GltfAnimation.all(root, accessors, warnings), skeleton, moving, meshes.deformed());
+        carriers.lights().forEach(node -> skeleton.add(node, nodes));
+        carriers.cameras().forEach(node -> skeleton.add(node, nodes));
+        return new GltfRig(GltfAnimation.all(root, accessors, warnings), skeleton, moving, meshes.deformed(), carriers);
     }
 
     private void placeAll(GltfPlace root, GltfMeshes meshes, GltfSurroundings surroundings) throws IOException {
@@ -206,7 +213,7 @@ public final class GltfReader {
             if (node.at("mesh").exists()) {
                 placePosed(next.node(), placement, root, meshes);
             }
-            surroundings.add(node, GltfTransform.turned(placement));
+            surroundings.add(node, next.node(), GltfTransform.turned(placement));
             reach(GltfScenes.indices(node.at("children"), nodes), nodes, placement, waiting, reached);
         }
         if (nodes.size() == 0) {
