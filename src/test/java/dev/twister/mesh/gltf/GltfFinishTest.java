@@ -106,7 +106,8 @@ class GltfFinishTest {
 
     @Test
     void theAlphaChannelBecomesAGrayImage() throws IOException {
-        MeshFile file = read("\"extensions\":{\"KHR_materials_specular\":{\"specularTexture\":" + FinishedGltf.TEXTURE + "}}", 77);
+        MeshFile file = read(
+                "\"extensions\":{\"KHR_materials_specular\":{\"specularTexture\":" + FinishedGltf.TEXTURE + "}}", 77);
         byte[] picture = file.embeddedImages().get(folder.resolve("a.gltf#alpha-0"));
         BufferedImage alpha = ImageIO.read(new ByteArrayInputStream(picture));
         assertThat(alpha.getRGB(0, 0)).isEqualTo(0xff4d4d4d);
@@ -115,7 +116,8 @@ class GltfFinishTest {
 
     @Test
     void anImageWithoutAlphaChangesNothing() {
-        MeshFile file = read("\"extensions\":{\"KHR_materials_specular\":{\"specularTexture\":" + FinishedGltf.TEXTURE + "}}", -1);
+        MeshFile file = read(
+                "\"extensions\":{\"KHR_materials_specular\":{\"specularTexture\":" + FinishedGltf.TEXTURE + "}}", -1);
         assertThat(file.parts().getFirst().material().finish()).isEqualTo(Finish.NONE);
         assertThat(warnings).isEmpty();
     }
