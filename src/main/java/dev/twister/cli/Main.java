@@ -9,11 +9,16 @@ import dev.twister.cli.file.PathConverter;
 import dev.twister.cli.option.ChoiceConverter;
 import dev.twister.files.PrintableText;
 import dev.twister.files.TwisterVersion;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryType;
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InaccessibleObjectException;
 import java.nio.charset.Charset;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -31,6 +36,7 @@ public final class Main {
     private Main() {}
 
     public static void main(String[] arguments) {
+        takeStandardError();
         Charset outCharset = Charset.forName(System.getProperty("stdout.encoding", "UTF-8"));
         Charset errCharset = Charset.forName(System.getProperty("stderr.encoding", "UTF-8"));
         PrintWriter out = new PrintWriter(System.out, true, outCharset);
@@ -43,6 +49,22 @@ public final class Main {
         }
         err.flush();
         System.exit(exitCode);
+    }
+
+    /** The launcher lets a filter read what the JVM prints, and names the descriptor of the true standard error. */
+    private static void takeStandardError() {
+        Integer descriptor = Integer.getInteger("twister.stderr");
+        if (descriptor == null) {
+            return;
+        }
+        try {
+            Constructor<FileDescriptor> constructor = FileDescriptor.class.getDeclaredConstructor(int.class);
+            constructor.setAccessible(true);
+            FileOutputStream out = new FileOutputStream(constructor.newInstance(descriptor));
+            System.setErr(new PrintStream(out, true, System.err.charset()));
+        } catch (ReflectiveOperationException | InaccessibleObjectException _) {
+            // The filter passes on what Twister prints, too.
+        }
     }
 
     /** Runs one command line and returns the exit code; never throws, and never ends the process. */

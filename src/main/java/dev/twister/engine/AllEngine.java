@@ -4,8 +4,10 @@ import dev.twister.image.Frame;
 import dev.twister.image.FrameStop;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Optional;
+import java.util.SequencedMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -13,21 +15,36 @@ import java.util.concurrent.Executors;
 
 /**
  * Renders each frame with several engines at once. They take bands from one queue, as large as their measured speeds
- * ask for, so that all of them are busy until the frame's end.
+ * ask for, so that all of them are busy until the frame's end. Engines with which frames are not shorter stay out.
  */
 final class AllEngine implements Engine {
-    private final String device;
+    /** Kinds of frames whose engines are remembered. */
+    private static final int MOST_KINDS = 16;
+
     private final List<BandWorker> workers;
     private final ExecutorService threads;
+    private final SequencedMap<Kind, BandTeam> teams = new LinkedHashMap<>();
+    private volatile String device;
 
     /**
-     * Takes over opened engines.
+     * Frames that take about as long as each other.
      *
-     * @param device the devices' names, for display
+     * @param samplesScale number of leading zeros of the samples per pixel
      */
-    AllEngine(String device, List<Engine> engines) {
-        this.device = device;
+    private record Kind(int width, int rows, int samplesScale, int variant) {
+        static Kind of(FrameInput input, Frame frame) {
+            return new Kind(
+                    input.width(),
+                    input.rows(),
+                    Integer.numberOfLeadingZeros(input.samplesPerPixel()),
+                    input.variant(frame.isLinear()));
+        }
+    }
+
+    /** Takes over opened engines, at least one. */
+    AllEngine(List<Engine> engines) {
         workers = engines.stream().map(BandWorker::new).toList();
+        device = new BandTeam(workers).device();
         threads = Executors.newFixedThreadPool(
                 engines.size(), Thread.ofPlatform().daemon().name("bands-", 0).factory());
     }
@@ -46,11 +63,35 @@ final class AllEngine implements Engine {
     public void render(FrameInput input, Frame frame) {
         FrameFit.check(input, frame);
         long start = System.nanoTime();
+        BandTeam team = team(Kind.of(input, frame));
+        List<BandWorker> taken = team.taken();
+        if (taken.size() == 1) {
+            taken.getFirst().engine().render(input, frame);
+        } else {
+            renderTogether(taken, input, frame);
+            frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start));
+        }
+        team.took(System.nanoTime() - start);
+        device = team.device();
+    }
+
+    private BandTeam team(Kind kind) {
+        BandTeam team = teams.remove(kind);
+        if (team == null && teams.size() == MOST_KINDS) {
+            // The one that was used the longest time ago.
+            teams.pollFirstEntry();
+        }
+        BandTeam taken = team == null ? new BandTeam(workers) : team;
+        teams.put(kind, taken);
+        return taken;
+    }
+
+    private void renderTogether(List<BandWorker> taken, FrameInput input, Frame frame) {
         FrameStop stop = FrameStop.of(frame);
         BandQueue queue = new BandQueue(frame.height());
-        double together = workers.stream().mapToDouble(BandWorker::rowsASecond).sum();
-        boolean known = workers.stream().allMatch(worker -> worker.rowsASecond() > 0);
-        CompletableFuture<?>[] parts = workers.stream()
+        double together = taken.stream().mapToDouble(BandWorker::rowsASecond).sum();
+        boolean known = taken.stream().allMatch(worker -> worker.rowsASecond() > 0);
+        CompletableFuture<?>[] parts = taken.stream()
                 .map(worker -> {
                     Optional<Double> share = known ? Optional.of(worker.rowsASecond() / together) : Optional.empty();
                     return CompletableFuture.runAsync(() -> render(worker, input, stop, queue, share), threads);
@@ -58,7 +99,6 @@ final class AllEngine implements Engine {
                 .toArray(CompletableFuture[]::new);
         await(CompletableFuture.allOf(parts), stop);
         stop.check();
-        frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start));
     }
 
     private static void render(

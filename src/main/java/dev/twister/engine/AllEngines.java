@@ -12,7 +12,8 @@ import java.util.stream.Stream;
 public final class AllEngines implements EngineProvider {
     public static final String ALL = "all";
 
-    private static final String DESCRIPTION = "the processor and every device, each renders bands of the same frame";
+    private static final String DESCRIPTION =
+            "the processor and every device render bands of the same frame, where it gets shorter with them";
 
     /** The processor's engines, the faster ones first. */
     private static final List<String> OF_THE_PROCESSOR = List.of("vector", JvmEngines.PARALLEL);
@@ -59,6 +60,6 @@ public final class AllEngines implements EngineProvider {
             opened.forEach(Engine::close);
             throw problem;
         }
-        return new AllEngine(names(offers), opened);
+        return new AllEngine(opened);
     }
 }

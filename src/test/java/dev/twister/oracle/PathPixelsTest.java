@@ -121,6 +121,21 @@ class PathPixelsTest {
     }
 
     @Test
+    void aClampLimitsTheLuminanceAndLeavesTheHue() {
+        Scene scene = alone(Light.of(new Vector3(0, -600, 0), 1, new Rgb(0, 0, 0)))
+                .withSpheres(List.of(Sphere.of(Vector3.ZERO, 2, GLASS), Sphere.of(Vector3.ZERO, 3, GLASS)));
+        Skybox warm = new Skybox(1, 1, new float[] {40, 20, 10});
+        double kept = 5 / (0.2126 * 40 + 0.7152 * 20 + 0.0722 * 10);
+
+        float[] radiance = Pictures.radiance(
+                JvmEngines.SEQUENTIAL, scene.withRendering(scene.rendering().withClamp(5)), warm);
+
+        for (int channel = 0; channel < radiance.length; channel++) {
+            assertThat((double) radiance[channel]).isCloseTo(kept * warm.radiance()[channel % 3], within(1e-3));
+        }
+    }
+
+    @Test
     void aLightIsNotSeenFromInside() {
         Scene scene = alone(Light.of(Vector3.ZERO, 2, new Rgb(5, 5, 5)));
 

@@ -22,9 +22,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 
 /** Measures engines one after the other and compares their pictures with the reference's. */
 public final class Benchmark {
+    /** Limit for the reference at each setting. */
+    private static final double REFERENCE_SECONDS = 10;
+
     private final Function<String, Engine> opener;
     private final BenchmarkPlan plan;
     private final String scene;
@@ -32,7 +36,7 @@ public final class Benchmark {
     private final Optional<MotionPlan> motion;
     private final BenchmarkProgress progress;
     private final MachineInfo machine = MachineInfo.ofThisMachine();
-    private final Map<Setting, Frame> references = new HashMap<>();
+    private final Map<Setting, ReferencePicture> references = new HashMap<>();
     private final List<Measurement> measurements = new ArrayList<>();
     private final List<EngineFailure> failures = new ArrayList<>();
 
@@ -85,19 +89,30 @@ public final class Benchmark {
             benchmark.drawReferences();
         }
         plan.engines().forEach(benchmark::measure);
-        benchmark.references.keySet().retainAll(plan.shown());
-        return benchmark.report(benchmark.references, true);
+        return benchmark.report(benchmark.pictures(), true);
     }
 
     private BenchmarkReport report(Map<Setting, Frame> pictures, boolean finished) {
         return new BenchmarkReport(machine, plan, scene, measurements, failures, pictures, finished);
     }
 
+    private Map<Setting, Frame> pictures() {
+        return plan.shown().stream()
+                .filter(setting -> references.containsKey(setting)
+                        && references.get(setting).isWhole())
+                .collect(Collectors.toMap(
+                        setting -> setting, setting -> references.get(setting).frame()));
+    }
+
     private void drawReferences() {
         try (Engine engine = opener.apply(BenchmarkPlan.REFERENCE)) {
             for (Setting setting : plan.settings()) {
                 progress.begins("reference", setting.size(), 1);
-                references.put(setting, draw(engine, inputAt(setting)));
+                // Pictures of the paper's page are whole.
+                double seconds = !plan.hasOneFigure() && plan.shown().contains(setting)
+                        ? Double.POSITIVE_INFINITY
+                        : REFERENCE_SECONDS;
+                references.put(setting, ReferencePicture.draw(engine, inputAt(setting), seconds));
                 progress.drewFrame();
             }
         }
@@ -107,14 +122,27 @@ public final class Benchmark {
         try (Engine engine = opener.apply(id)) {
             AskedEngine asked = new AskedEngine(id, engine);
             for (Setting setting : plan.settings()) {
-                measurements.add(measure(asked, setting));
-                progress.found(report(Map.of(), false));
+                if (isTooSlow(id, setting)) {
+                    progress.leavesOut(id, setting, references.get(setting).secondsOfAll());
+                } else {
+                    measurements.add(measure(asked, setting));
+                    progress.found(report(Map.of(), false));
+                }
             }
         } catch (EngineException failure) {
             note(new EngineFailure(id, failure.getMessage()));
         } catch (OutOfMemoryError _) {
             note(new EngineFailure(id, EngineFailure.outOfMemory()));
         }
+    }
+
+    /** Whether one frame of the reference's engine, which is measured beside others, takes longer than the limit. */
+    private boolean isTooSlow(String id, Setting setting) {
+        ReferencePicture reference = references.get(setting);
+        return id.equals(BenchmarkPlan.REFERENCE)
+                && plan.engines().size() > 1
+                && reference != null
+                && reference.takesLongerThan(plan.maxSeconds());
     }
 
     private void note(EngineFailure failure) {
@@ -141,20 +169,14 @@ public final class Benchmark {
         }
     }
 
-    private int[] reference(Setting setting, FrameInput input) {
-        Frame drawn = references.get(setting);
+    private ReferencePicture reference(Setting setting, FrameInput input) {
+        ReferencePicture drawn = references.get(setting);
         if (drawn == null) {
             try (Engine engine = opener.apply(BenchmarkPlan.REFERENCE)) {
-                drawn = draw(engine, input);
+                drawn = ReferencePicture.draw(engine, input, REFERENCE_SECONDS);
             }
         }
-        return drawn.argb();
-    }
-
-    private static Frame draw(Engine engine, FrameInput input) {
-        Frame frame = Frame.ofPixels(input.width(), input.height());
-        engine.render(input, frame);
-        return frame;
+        return drawn;
     }
 
     /** The input at a setting, with the bodies at their current positions. */
@@ -201,7 +223,7 @@ public final class Benchmark {
          *
          * @param reference renders the reference of the last frame
          */
-        Measurement measure(Setting setting, MeasuredBodies bodies, Function<FrameInput, int[]> reference) {
+        Measurement measure(Setting setting, MeasuredBodies bodies, Function<FrameInput, ReferencePicture> reference) {
             progress.begins(asked.id(), setting.size(), plan.framesEach());
             Frame frame = Frame.ofPixels(setting.size().width(), setting.size().height());
             long start = System.nanoTime();
@@ -227,7 +249,7 @@ public final class Benchmark {
                     Statistics.ofNanos(
                             times.stream().mapToLong(FrameTimes::totalNanos).toArray()),
                     DeviceTimes.meanOf(times),
-                    PictureComparison.of(reference.apply(bodies.input()), frame.argb()),
+                    reference.apply(bodies.input()).compare(frame.argb()),
                     bodies.times(times.stream()
                             .map(time -> time.totalNanos() / NANOS_PER_MILLI)
                             .toList()));

@@ -15,6 +15,9 @@ public interface BenchmarkProgress {
     /** A frame, warm-up or measured, or a step of preparation is complete. */
     default void drewFrame() {}
 
+    /** An engine is not measured at a setting: a frame takes about this number of seconds, more than the limit. */
+    default void leavesOut(String engine, Setting setting, double seconds) {}
+
     /** An engine has completed a setting or failed; the report is unfinished and has no pictures. */
     default void found(BenchmarkReport soFar) {}
 }

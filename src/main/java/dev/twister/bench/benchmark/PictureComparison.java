@@ -3,7 +3,7 @@ package dev.twister.bench.benchmark;
 /**
  * Comparison of an engine's picture with the reference.
  *
- * @param pixels number of pixels of the picture
+ * @param pixels number of pixels that were compared
  * @param differingPixels number of pixels that differ by more than {@value #CHANNEL_TOLERANCE} of 255 in any channel
  * @param largestDifference largest difference of any channel, of 255
  */

@@ -5,6 +5,7 @@ import dev.twister.bench.benchmark.BenchmarkPlan;
 import dev.twister.bench.benchmark.BenchmarkProgress;
 import dev.twister.bench.benchmark.BenchmarkReport;
 import dev.twister.bench.benchmark.EngineFailure;
+import dev.twister.bench.benchmark.Measurement;
 import dev.twister.bench.benchmark.PictureComparison;
 import dev.twister.bench.device.CheckedEngine.CheckedPicture;
 import dev.twister.engine.Engine;
@@ -74,7 +75,9 @@ public final class DeviceCheck {
         }
         return new CheckedEngine(
                 offer.id(),
-                offer.device(),
+                measured.flatMap(report -> report.measurements().stream().reduce((_, last) -> last))
+                        .map(Measurement::device)
+                        .orElse(offer.device()),
                 offer.driver(),
                 compileSeconds,
                 pictures,

@@ -85,7 +85,9 @@ public record JitRuns(String program, List<String> arguments) {
     private static List<String> jvmOptions(Jit jit) {
         Stream<String> classPath = Stream.of("-cp", System.getProperty("java.class.path"));
         return Stream.of(
-                        ManagementFactory.getRuntimeMXBean().getInputArguments().stream(),
+                        // Children have no other descriptors than the usual three.
+                        ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+                                .filter(option -> !option.startsWith("-Dtwister.stderr=")),
                         jit.options().stream(),
                         classPath)
                 .flatMap(options -> options)

@@ -1,14 +1,17 @@
 package dev.twister.cli.progress;
 
+import dev.twister.bench.ReportNumbers;
 import dev.twister.bench.benchmark.BenchmarkPlan;
 import dev.twister.bench.benchmark.BenchmarkProgress;
 import dev.twister.bench.benchmark.BenchmarkReport;
 import dev.twister.bench.benchmark.EngineFailure;
+import dev.twister.bench.benchmark.Setting;
 import dev.twister.bench.report.ReportTable;
 import dev.twister.cli.file.ReportFiles;
 import dev.twister.files.LastWrites;
 import dev.twister.image.PictureSize;
 import java.io.PrintWriter;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -19,6 +22,7 @@ import java.util.Optional;
 public final class BenchmarkLine implements BenchmarkProgress, AutoCloseable {
     private final PrintWriter out;
     private final PrintWriter err;
+    private final BenchmarkPlan plan;
     private final ReportFiles files;
     private final ProgressLine line;
     private final BenchmarkBar bar;
@@ -36,6 +40,7 @@ public final class BenchmarkLine implements BenchmarkProgress, AutoCloseable {
     public BenchmarkLine(PrintWriter out, PrintWriter err, BenchmarkPlan plan, int stepsToStart, ReportFiles files) {
         this.out = out;
         this.err = err;
+        this.plan = plan;
         this.files = files;
         long settings = plan.settings().size();
         long engines = plan.engines().size();
@@ -55,6 +60,20 @@ public final class BenchmarkLine implements BenchmarkProgress, AutoCloseable {
     @Override
     public void drewFrame() {
         bar.drewFrame();
+    }
+
+    @Override
+    public void leavesOut(String engine, Setting setting, double seconds) {
+        bar.begins(engine, setting.size(), plan.framesEach());
+        line.clear();
+        err.printf(
+                Locale.ROOT,
+                "twister: %s at %s is left out: a frame takes about %.0f s, and --max-seconds is %s%n",
+                engine,
+                setting.size(),
+                seconds,
+                ReportNumbers.shortest(plan.maxSeconds()));
+        err.flush();
     }
 
     @Override

@@ -21,7 +21,8 @@ class AllOnDeviceTest {
         World world = SceneSamples.world(9, 50);
         world.setSettings(world.settings().withSize(160, 90));
         try (Engine all = Engines.open(AllEngines.ALL)) {
-            for (int frame = 0; frame < 3; frame++) {
+            // By all engines, and by one alone.
+            for (int frame = 0; frame < 12; frame++) {
                 Pictures.requireSequentials(all, world.snapshot());
             }
         }
