@@ -80,14 +80,18 @@ public final class LanesCompiler {
         Files.writeString(folder.resolve("ColumnCounts.java"), counts(roots, scratchLength));
     }
 
-    /** All variants of traced paths that are pictures, with and without further layers. */
+    /**
+     * All variants of traced paths that are pictures, with and without further layers, except finishes: these call
+     * their methods from many places, each of which would be made.
+     */
     private static List<Integer> variants(Statements constants) {
         int shift = constants.constant("Variant", "VIEW_SHIFT");
         int always = constants.constant("Variant", "PATH") | constants.constant("Variant", "MATERIALS");
+        int never = constants.constant("Variant", "FINISH");
         List<Integer> variants = new ArrayList<>();
         for (int bits = 0; bits < 1 << shift; bits++) {
             for (String view : List.of("FULL", "GUIDED", "LAYERED", "CUT", "CUT_GUIDED", "CUT_LAYERED")) {
-                if ((bits & always) == always) {
+                if ((bits & always) == always && (bits & never) == 0) {
                     variants.add(bits | constants.constant("Views", view) << shift);
                 }
             }

@@ -51,7 +51,7 @@ final class KernelMethodsTest {
     /** Whether an int parameter is a place in the path, which must be a constant. */
     private static boolean isPlacedByCallers(String name) {
         try {
-            new Root(SOURCES, "made", "Made", SOURCES.method(name), Layout.LAYERED_PATH_LENGTH, List.of(0));
+            new Root(SOURCES, "made", "Made", SOURCES.method(name), Layout.FINISHED_PATH_LENGTH, List.of(0));
             return false;
         } catch (Refusal refusal) {
             if (refusal.getMessage().contains("methods " + name)
@@ -73,7 +73,7 @@ final class KernelMethodsTest {
                 .findFirst()
                 .orElseThrow();
         scalar.setAccessible(true);
-        MadeMethod made = new MadeMethod(SOURCES, method, Layout.LAYERED_PATH_LENGTH, List.of(0));
+        MadeMethod made = new MadeMethod(SOURCES, method, Layout.FINISHED_PATH_LENGTH, List.of(0));
         Random random = new Random(name.hashCode());
         for (int round = 0; round < 8; round++) {
             check(scalar, made, random);
@@ -82,13 +82,13 @@ final class KernelMethodsTest {
 
     private static void check(Method scalar, MadeMethod made, Random random) throws Throwable {
         PathColumns columns = made.columns;
-        float[][] paths = new float[PathColumns.WIDTH][Layout.LAYERED_PATH_LENGTH];
+        float[][] paths = new float[PathColumns.WIDTH][Layout.FINISHED_PATH_LENGTH];
         Object[] results = new Object[PathColumns.WIDTH];
         for (int lane = 0; lane < PathColumns.WIDTH; lane++) {
             List<Object> arguments = new ArrayList<>();
             int ints = 1;
-            int floats = Layout.LAYERED_PATH_LENGTH + 1;
-            for (int k = 0; k < Layout.LAYERED_PATH_LENGTH; k++) {
+            int floats = Layout.FINISHED_PATH_LENGTH + 1;
+            for (int k = 0; k < Layout.FINISHED_PATH_LENGTH; k++) {
                 paths[lane][k] = number(random);
                 columns.floats[columns.floatAt(lane, k)] = paths[lane][k];
             }
@@ -109,12 +109,12 @@ final class KernelMethodsTest {
         }
         made.run((1 << PathColumns.WIDTH) - 1);
         for (int lane = 0; lane < PathColumns.WIDTH; lane++) {
-            for (int k = 0; k < Layout.LAYERED_PATH_LENGTH; k++) {
+            for (int k = 0; k < Layout.FINISHED_PATH_LENGTH; k++) {
                 MadeMethod.assertSame(columns.floats[columns.floatAt(lane, k)], paths[lane][k]);
             }
             switch (results[lane]) {
                 case Float result ->
-                    MadeMethod.assertSame(columns.floats[columns.floatAt(lane, Layout.LAYERED_PATH_LENGTH)], result);
+                    MadeMethod.assertSame(columns.floats[columns.floatAt(lane, Layout.FINISHED_PATH_LENGTH)], result);
                 case Integer result ->
                     assertThat(columns.ints[columns.intAt(lane, 0)]).isEqualTo(result);
                 case null, default -> {}

@@ -14,7 +14,7 @@ import dev.twister.world.View;
 
 /** Calls the kernel on the JVM. Each thread needs its own instance. */
 public final class JvmKernel {
-    private final float[] path = new float[Layout.LAYERED_PATH_LENGTH];
+    private final float[] path = new float[Layout.FINISHED_PATH_LENGTH];
     private final float[] scratch = new float[Layout.LAYERED_SCRATCH_LENGTH];
 
     /** The path for {@link #follow} and {@link #visible}: {@link Layout#PATH_LENGTH} floats. */

@@ -34,7 +34,7 @@ final class TraceRecorder {
     private final float[] looks;
     private final float[] meshes;
     private final int variant;
-    private final float[] path = new float[Layout.TRACED_PATH_LENGTH];
+    private final float[] path = new float[Layout.FINISHED_PATH_LENGTH];
     private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
     private final List<PathStep> steps = new ArrayList<>();
 
@@ -184,9 +184,9 @@ final class TraceRecorder {
 
     /** @param ray a copy of the path at the surface, on which the step is repeated */
     private Scattering scattering(float[] ray, int body, int bounce) {
-        Lobes.prepare(ray, body, frame, looks, variant);
+        Lobes.prepare(ray, body, bounce, frame, looks, variant);
         boolean last = bounce >= (int) frame[Layout.BOUNCES];
-        Optional<EmitterChoice> emitter = Lobes.scatters(ray) != 0 && frame[Layout.EMITTERS] > 0
+        Optional<EmitterChoice> emitter = Lobes.scatters(ray, variant) != 0 && frame[Layout.EMITTERS] > 0
                 ? Optional.of(emitter(ray, body, bounce, last))
                 : Optional.empty();
         return new Scattering(
@@ -205,7 +205,7 @@ final class TraceRecorder {
         int emitter = Emitter.chosen(ray, bounce, frame, looks);
         Emitter.choose(ray, bounce, frame, bodies, looks, meshes, input.images(), variant);
         float chosen = ray[Layout.LIGHT_DENSITY];
-        float density = PathTracer.evaluateToLight(ray, body, looks);
+        float density = PathTracer.evaluateToLight(ray, body, looks, variant);
         // After the last bounce no ray is scattered that could meet the emitter, too.
         float weight = last ? 1 : PathTracer.weight(chosen, density);
         direct = new FoundLight(Floats.rgb(ray, Layout.EMITTED), density, chosen, weight);
@@ -224,19 +224,19 @@ final class TraceRecorder {
         for (int channel = 0; channel < CHANNELS; channel++) {
             ray[Layout.THROUGHPUT + channel] = 1;
         }
-        Lobes.choose(ray, bounce, frame, looks);
-        int lobe = Lobes.chosen(ray, bounce, frame);
+        Lobes.choose(ray, bounce, frame, looks, variant);
+        int lobe = Lobes.chosen(ray, bounce, frame, variant);
         Rgb factor = Floats.rgb(ray, Layout.THROUGHPUT);
         for (int channel = 0; channel < CHANNELS; channel++) {
             ray[Layout.THROUGHPUT + channel] *= before[Layout.THROUGHPUT + channel];
         }
         return new LobeChoice(
                 switch (lobe) {
-                    case Lobes.MIRROR -> RayKind.REFLECTED;
-                    case Lobes.MATTE -> RayKind.SCATTERED;
+                    case Lobes.MIRROR, Lobes.COAT -> RayKind.REFLECTED;
+                    case Lobes.MATTE, Lobes.THROUGH -> RayKind.SCATTERED;
                     default -> RayKind.REFRACTED;
                 },
-                ray[Layout.CHOICE_MIRROR + lobe],
+                Lobes.choice(ray, lobe),
                 ray[Layout.SURFACE_DENSITY],
                 factor,
                 bounce >= PathTracer.FIRST_ROULETTE ? PathTracer.survival(ray) : 1,

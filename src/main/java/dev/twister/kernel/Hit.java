@@ -109,7 +109,7 @@ public final class Hit {
         float distance = Intersection.sphere(x, y, z, radius, directionX, directionY, directionZ);
         if ((variant & Variant.MATERIALS) != 0) {
             int own = body == (int) path[Layout.LEAVING] ? 1 : 0;
-            int transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0f ? 1 : 0;
+            int transmits = Surface.isPassed(body, looks, variant);
             if ((transmits & (own | (distance == Intersection.MISS ? 1 : 0))) != 0) {
                 distance = Intersection.sphereFromInside(x, y, z, radius, directionX, directionY, directionZ);
             }
@@ -120,7 +120,7 @@ public final class Hit {
             }
         }
         if ((variant & Variant.TWINS) != 0) {
-            distance = Twin.distance(path, at, body, distance, frame, bodies, looks);
+            distance = Twin.distance(path, at, body, distance, frame, bodies, looks, variant);
         }
         return distance;
     }

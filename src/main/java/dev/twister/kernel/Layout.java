@@ -252,7 +252,81 @@ public final class Layout {
     /** {@link #SHEET_OF_BODY} if the body is as thin as a sheet, else 0. */
     public static final int LOOK_SHEET = 29;
 
-    public static final int LOOK_STRIDE = 30;
+    /** Place in {@code looks} of the body's finish, which is what path tracing alone shows; 0 without one. */
+    public static final int LOOK_FINISH = 30;
+
+    public static final int LOOK_STRIDE = 31;
+
+    /**
+     * A finish, as the extensions of glTF's material define it, which starts with what the path has at {@link #FINISH}.
+     * Parts of its clear coat and of its thin film, in [0, 1]; roughnesses in [0, 1].
+     */
+    public static final int FINISH_COAT = 0;
+
+    public static final int FINISH_COAT_ROUGHNESS = 1;
+
+    /** The sheen's color, three floats, and its roughness. */
+    public static final int FINISH_SHEEN = 2;
+
+    public static final int FINISH_SHEEN_ROUGHNESS = 5;
+
+    /** In [0, 1], and cosine and sine of the angle from the tangent to the direction of the stretched highlight. */
+    public static final int FINISH_ANISOTROPY = 6;
+
+    public static final int FINISH_GRAIN_COSINE = 7;
+    public static final int FINISH_GRAIN_SINE = 8;
+
+    /** Factor per channel of what the dielectric reflects at the normal. */
+    public static final int FINISH_SPECULAR_COLOR = 9;
+
+    /** The thin film's part, its index of refraction, and its thickness in nanometers. */
+    public static final int FINISH_FILM = 12;
+
+    public static final int FINISH_FILM_IOR = 13;
+    public static final int FINISH_FILM_THICKNESS = 14;
+
+    /** 20 divided by the Abbe number; 0 for none. */
+    public static final int FINISH_DISPERSION = 15;
+
+    /** The part of the matte light that passes the surface, in [0, 1], and its color. */
+    public static final int FINISH_THROUGH = 16;
+
+    public static final int FINISH_THROUGH_COLOR = 17;
+
+    /** Number of floats that the path has at {@link #FINISH}. */
+    public static final int FINISH_LENGTH = 20;
+
+    /** The film's thickness in nanometers where its map is 0. */
+    public static final int FINISH_FILM_LEAST = 20;
+
+    /** Places in {@code looks} of the tables of {@link DirectionalAlbedo} of the clear coat, and of the sheen's. */
+    public static final int FINISH_COAT_ALBEDO = 21;
+
+    public static final int FINISH_SHEEN_ALBEDO = 22;
+
+    /** Factor of the x and y of the clear coat's normal map. */
+    public static final int FINISH_COAT_NORMAL_SCALE = 23;
+
+    /**
+     * The maps of a finish, each as in the maps' table: of the clear coat (red), its roughness (green) and its normals;
+     * of the sheen's color and roughness (red); of the anisotropy (red and green the direction, blue the strength); of
+     * the specular factor (red) and color; of the film (red) and its thickness (green); of the part that passes (red)
+     * and its color.
+     */
+    public static final int FINISH_MAPS_COAT = 24;
+
+    public static final int FINISH_MAPS_COAT_ROUGHNESS = 28;
+    public static final int FINISH_MAPS_COAT_NORMAL = 32;
+    public static final int FINISH_MAPS_SHEEN = 36;
+    public static final int FINISH_MAPS_SHEEN_ROUGHNESS = 40;
+    public static final int FINISH_MAPS_ANISOTROPY = 44;
+    public static final int FINISH_MAPS_SPECULAR = 48;
+    public static final int FINISH_MAPS_SPECULAR_COLOR = 52;
+    public static final int FINISH_MAPS_FILM = 56;
+    public static final int FINISH_MAPS_FILM_THICKNESS = 60;
+    public static final int FINISH_MAPS_THROUGH = 64;
+    public static final int FINISH_MAPS_THROUGH_COLOR = 68;
+    public static final int FINISH_STRIDE = 72;
 
     /**
      * After the bodies' looks, from {@link #MAPS} on, a table of the materials with maps. A row has first the maps. A
@@ -736,6 +810,49 @@ public final class Layout {
     public static final int EMITTER_LAYER = GUIDED_PATH_LENGTH;
 
     public static final int LAYERED_PATH_LENGTH = GUIDED_PATH_LENGTH + 1;
+
+    /** With {@link Variant#FINISH}: the surface's finish, after its maps. */
+    public static final int FINISH = LAYERED_PATH_LENGTH;
+
+    /** Whether the surface has a finish: 1, else 0. */
+    public static final int IS_FINISHED = FINISH + FINISH_LENGTH;
+
+    /** Unit vector along the stretched highlight, at a right angle to the normal. */
+    public static final int GRAIN = FINISH + FINISH_LENGTH + 1;
+
+    /** Unit normal of the clear coat, turned toward the ray's origin. */
+    public static final int COAT_NORMAL = FINISH + FINISH_LENGTH + 4;
+
+    /** Part of the clear coat, and of the sheen below it, on this side of the surface; what the sheen reflects. */
+    public static final int COVER_COAT = FINISH + FINISH_LENGTH + 7;
+
+    public static final int COVER_SHEEN = FINISH + FINISH_LENGTH + 8;
+    public static final int SHEEN_ALBEDO = FINISH + FINISH_LENGTH + 9;
+
+    /** Probabilities of the clear coat, and of matte light that passes. */
+    public static final int CHOICE_COAT = FINISH + FINISH_LENGTH + 10;
+
+    public static final int CHOICE_THROUGH = FINISH + FINISH_LENGTH + 11;
+
+    /** Factor of the facets' slopes along the grain. */
+    public static final int STRETCH = FINISH + FINISH_LENGTH + 12;
+
+    /** Whether the dielectric reflection is tinted (1, else 0), and what it leaves of each channel. */
+    public static final int IS_TINTED = FINISH + FINISH_LENGTH + 13;
+
+    public static final int UNDER_TINT = FINISH + FINISH_LENGTH + 14;
+
+    /** Place of the sheen's tables in {@code looks}. */
+    public static final int SHEEN_TABLE = FINISH + FINISH_LENGTH + 17;
+
+    /** What {@link FinishAlbedos} finds. */
+    public static final int FOUND_MIRROR = FINISH + FINISH_LENGTH + 18;
+
+    public static final int FOUND_COAT = FINISH + FINISH_LENGTH + 19;
+    public static final int FOUND_GLASS = FINISH + FINISH_LENGTH + 20;
+    public static final int FOUND_COSINE = FINISH + FINISH_LENGTH + 21;
+
+    public static final int FINISHED_PATH_LENGTH = FINISH + FINISH_LENGTH + 22;
 
     /** The largest reflectivity, that of a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;

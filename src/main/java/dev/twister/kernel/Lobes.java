@@ -13,8 +13,13 @@ public final class Lobes {
     public static final int MATTE = 1;
     public static final int GLASS = 2;
 
+    /** Those of a finish: the clear coat, and matte light that passes the surface. */
+    public static final int COAT = 3;
+
+    public static final int THROUGH = 4;
+
     /** The least part of the choices that a rough lobe has, so that facets that reflect less are chosen, too. */
-    private static final float LEAST_CHOICE = 0.05f;
+    static final float LEAST_CHOICE = 0.05f;
 
     /** Rough glass of a lower index refracts straight on, which no facet describes. */
     private static final float LEAST_ROUGH_IOR = 1.001f;
@@ -31,9 +36,14 @@ public final class Lobes {
      * Writes the weights of the lobes at the path's hit point, and turns the normal and the face toward the ray's
      * origin.
      *
-     * @param path {@link Layout#TRACED_PATH_LENGTH} floats, after {@link Surface#face}
+     * @param path {@link Layout#TRACED_PATH_LENGTH} floats, after {@link PathTracer#meet}
+     * @param bounce number of surfaces that the path has left before
      */
-    public static void prepare(float[] path, int body, float[] frame, float[] looks, int variant) {
+    public static void prepare(float[] path, int body, int bounce, float[] frame, float[] looks, int variant) {
+        int finished = FinishLobes.isOn(path, variant);
+        if (finished != 0) {
+            FinishLobes.begin(path, bounce, frame);
+        }
         int mesh = Surface.isMesh(body, frame, variant);
         float side = Facet.directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
         float along = Facet.directionDot(path, Layout.FACE);
@@ -69,9 +79,12 @@ public final class Lobes {
             path[Layout.SCATTERED_AGAIN + channel] = 0f;
         }
         if (fresnel != 0) {
-            keep(path, (int) looks[Layout.LOOK_STRIDE * body + Layout.LOOK_ALBEDOS], looks);
+            keep(path, (int) looks[Layout.LOOK_STRIDE * body + Layout.LOOK_ALBEDOS], looks, variant);
         }
-        choices(path);
+        if (finished != 0) {
+            FinishLobes.cover(path, body, 1 - isInside(path), looks);
+        }
+        choices(path, variant);
     }
 
     /**
@@ -79,37 +92,79 @@ public final class Lobes {
      *
      * @param tables place of {@link DirectionalAlbedo}'s tables
      */
-    private static void keep(float[] path, int tables, float[] looks) {
+    private static void keep(float[] path, int tables, float[] looks, int variant) {
         float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
         float roughness = path[Layout.ROUGHNESS];
         int inside = isInside(path);
         int mirror = tables + DirectionalAlbedo.MIRROR * DirectionalAlbedo.TABLE_LENGTH;
         int coat = tables + DirectionalAlbedo.COAT * DirectionalAlbedo.TABLE_LENGTH;
         int glass = tables + (DirectionalAlbedo.GLASS + inside) * DirectionalAlbedo.TABLE_LENGTH;
-        path[Layout.MIRROR_ALBEDO] = mirror;
+        int stretched = findAlbedos(path, variant);
+        path[Layout.MIRROR_ALBEDO] = stretched != 0 ? 0 : mirror;
         path[Layout.COAT_ALBEDO] = coat;
         float coated = coated(path);
         float left = 1f - coated * DirectionalAlbedo.mean(coat, roughness, looks);
-        path[Layout.UNDER_COAT] =
-                (1f - coated * DirectionalAlbedo.of(coat, roughness, cosine, looks)) / Math.max(left, LEAST_SQUARE);
+        float taken = coated * albedo(path, coat, Layout.FOUND_COAT, cosine, looks, variant);
+        path[Layout.UNDER_COAT] = (1f - taken) / Math.max(left, LEAST_SQUARE);
         path[Layout.MEAN_UNDER_COAT] = left;
-        float mean = DirectionalAlbedo.mean(mirror, roughness, looks);
-        path[Layout.MEAN_AGAIN] = 1f - mean;
-        float once = DirectionalAlbedo.of(mirror, roughness, cosine, looks);
-        float again = path[Layout.PART_MIRROR] * (1f - once) / Math.max(1f - mean, LEAST_SQUARE);
+        float once = albedo(path, mirror, Layout.FOUND_MIRROR, cosine, looks, variant);
+        float mean = stretched != 0 ? once : DirectionalAlbedo.mean(mirror, roughness, looks);
+        float meanAgain = stretched != 0 ? 1f : 1f - mean;
+        path[Layout.MEAN_AGAIN] = meanAgain;
+        float again = path[Layout.PART_MIRROR] * (1f - once) / Math.max(meanAgain, LEAST_SQUARE);
         for (int channel = 0; channel < 3; channel++) {
             float albedo = path[Layout.ALBEDO + channel];
-            float reflected = albedo + (1f - albedo) * MEAN_OF_SCHLICK;
+            float bare = albedo + (1f - albedo) * MEAN_OF_SCHLICK;
+            float reflected = filmed(path, channel, cosine, albedo, bare, variant);
             path[Layout.SCATTERED_AGAIN + channel] =
                     again * reflected * reflected * mean / Math.max(1f - reflected * (1f - mean), LEAST_SQUARE);
         }
         // Through a sheet light leaves as if it were reflected.
-        int all = path[Layout.IS_SHEET] > 0f ? mirror : glass;
-        float whole = roughness > 0f ? 1f / DirectionalAlbedo.of(all, roughness, cosine, looks) : 1f;
+        float whole =
+                path[Layout.IS_SHEET] > 0f ? once : albedo(path, glass, Layout.FOUND_GLASS, cosine, looks, variant);
+        float scale = roughness > 0f ? 1f / whole : 1f;
         float transmission = path[Layout.TRANSMISSION];
         float coats = inside != 0 ? 0f : 1f - transmission;
-        path[Layout.PART_COAT] = path[Layout.PART_COAT] * (coats + transmission * whole);
-        path[Layout.PART_GLASS] = path[Layout.PART_GLASS] * whole;
+        path[Layout.PART_COAT] = path[Layout.PART_COAT] * (coats + transmission * scale);
+        path[Layout.PART_GLASS] = path[Layout.PART_GLASS] * scale;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            FinishLobes.tint(path, taken, coated);
+        }
+    }
+
+    /** Writes the albedos of stretched and tinted facets; returns 1 if they are stretched, else 0. */
+    private static int findAlbedos(float[] path, int variant) {
+        int stretched = 0;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            stretched = path[Layout.STRETCH] > 1f ? 1 : 0;
+            if ((stretched | (path[Layout.IS_TINTED] > 0f ? 1 : 0)) != 0) {
+                FinishAlbedos.find(path);
+            }
+        }
+        return stretched;
+    }
+
+    /**
+     * An albedo in the direction of the ray's origin.
+     *
+     * @param table its place in {@code looks}
+     * @param found its place in the path, if the facets are stretched
+     */
+    private static float albedo(float[] path, int table, int found, float cosine, float[] looks, int variant) {
+        float albedo = DirectionalAlbedo.of(table, path[Layout.ROUGHNESS], cosine, looks);
+        if (FinishLobes.isOn(path, variant) != 0) {
+            albedo = path[Layout.STRETCH] > 1f ? path[found] : albedo;
+        }
+        return albedo;
+    }
+
+    /** A metal's reflectance under the finish's thin film, if there is one. */
+    private static float filmed(float[] path, int channel, float cosine, float straight, float bare, int variant) {
+        float filmed = bare;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            filmed = FinishLobes.filmed(path, channel, cosine, straight, bare);
+        }
+        return filmed;
     }
 
     /** The part of the dielectric reflectance that coats the matte part, which has no coat inside the body. */
@@ -125,34 +180,47 @@ public final class Lobes {
     /**
      * What the matte part scatters of one channel's light in a direction, times pi; without a coat the same for all.
      */
-    private static float matte(float[] path, int channel, float underCoat, float again) {
-        return path[Layout.PART_MATTE] * underCoat * path[Layout.ALBEDO + channel]
+    private static float matte(float[] path, int channel, float underCoat, float again, int variant) {
+        float under = underCoat;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            under = FinishLobes.under(path, channel, underCoat);
+        }
+        return path[Layout.PART_MATTE] * under * path[Layout.ALBEDO + channel]
                 + again * path[Layout.SCATTERED_AGAIN + channel];
     }
 
     /** Writes with which probability each lobe is chosen: in proportion to its largest channel, at the normal. */
-    private static void choices(float[] path) {
+    private static void choices(float[] path, int variant) {
         float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
         float fresnel = fresnel(path, cosine);
         float largest = largestAlbedo(path);
-        float mirror = mostReflected(path, cosine, fresnel);
+        float mirror = mostReflected(path, cosine, fresnel, variant);
         float underCoat = path[Layout.UNDER_COAT] * path[Layout.MEAN_UNDER_COAT];
         float again = path[Layout.MEAN_AGAIN];
         float matte = Math.max(
-                Math.max(matte(path, 0, underCoat, again), matte(path, 1, underCoat, again)),
-                matte(path, 2, underCoat, again));
-        float glass = path[Layout.PART_GLASS] * (1f - fresnel) * largest;
+                Math.max(matte(path, 0, underCoat, again, variant), matte(path, 1, underCoat, again, variant)),
+                matte(path, 2, underCoat, again, variant));
+        float glass = mostPassed(path, cosine, fresnel, variant);
+        float finish = 0f;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            matte = matte + path[Layout.SHEEN_ALBEDO];
+            finish = FinishLobes.choices(path, mirror + matte + glass);
+        }
         if (path[Layout.ROUGHNESS] > 0f) {
-            float sum = mirror + matte + glass;
+            float sum = mirror + matte + glass + finish;
             float least = LEAST_CHOICE * (sum > 0f ? sum : 1f);
             mirror = path[Layout.PART_MIRROR] + path[Layout.PART_COAT] > 0f ? Math.max(mirror, least) : mirror;
             glass = path[Layout.PART_GLASS] * largest > 0f ? Math.max(glass, least) : glass;
         }
-        float sum = mirror + matte + glass;
+        float sum = mirror + matte + glass + finish;
         float inverse = sum > 0f ? 1f / sum : 0f;
         path[Layout.CHOICE_MIRROR] = mirror * inverse;
         path[Layout.CHOICE_MATTE] = matte * inverse;
         path[Layout.CHOICE_GLASS] = glass * inverse;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            path[Layout.CHOICE_COAT] = path[Layout.CHOICE_COAT] * inverse;
+            path[Layout.CHOICE_THROUGH] = path[Layout.CHOICE_THROUGH] * inverse;
+        }
     }
 
     /** The dielectric reflectance at a facet; 0 without a dielectric part. */
@@ -167,20 +235,44 @@ public final class Lobes {
     }
 
     /** The reflected part of one channel at a facet. */
-    private static float reflected(float[] path, int channel, float cosine, float fresnel) {
+    private static float reflected(float[] path, int channel, float cosine, float fresnel, int variant) {
         float away = 1f - cosine;
         float schlick = path[Layout.IS_FRESNEL] != 0f ? away * away * away * away * away : 0f;
         float albedo = path[Layout.ALBEDO + channel];
-        float edge = albedo + (1f - albedo) * schlick;
+        float edge = filmed(path, channel, cosine, albedo, albedo + (1f - albedo) * schlick, variant);
         float metal = path[Layout.IS_FRESNEL] > 0f ? edge : 1f + path[Layout.METALLIC] * (edge - 1f);
-        return path[Layout.PART_MIRROR] * metal + path[Layout.PART_COAT] * fresnel;
+        return path[Layout.PART_MIRROR] * metal
+                + path[Layout.PART_COAT] * dielectric(path, channel, cosine, fresnel, variant);
+    }
+
+    /** One channel of the dielectric reflectance, of which {@link #fresnel} is that without a finish. */
+    private static float dielectric(float[] path, int channel, float cosine, float fresnel, int variant) {
+        float tinted = fresnel;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            tinted = FinishLobes.tinted(path, channel, cosine, fresnel);
+        }
+        return tinted;
+    }
+
+    /** The part of one channel that passes a facet. */
+    private static float passed(float[] path, int channel, float cosine, float fresnel, int variant) {
+        return path[Layout.PART_GLASS]
+                * (1f - dielectric(path, channel, cosine, fresnel, variant))
+                * path[Layout.ALBEDO + channel];
     }
 
     /** The largest channel of what a facet reflects. */
-    private static float mostReflected(float[] path, float cosine, float fresnel) {
+    private static float mostReflected(float[] path, float cosine, float fresnel, int variant) {
         return Math.max(
-                Math.max(reflected(path, 0, cosine, fresnel), reflected(path, 1, cosine, fresnel)),
-                reflected(path, 2, cosine, fresnel));
+                Math.max(reflected(path, 0, cosine, fresnel, variant), reflected(path, 1, cosine, fresnel, variant)),
+                reflected(path, 2, cosine, fresnel, variant));
+    }
+
+    /** The largest channel of what passes a facet. */
+    private static float mostPassed(float[] path, float cosine, float fresnel, int variant) {
+        return Math.max(
+                Math.max(passed(path, 0, cosine, fresnel, variant), passed(path, 1, cosine, fresnel, variant)),
+                passed(path, 2, cosine, fresnel, variant));
     }
 
     private static float largestAlbedo(float[] path) {
@@ -188,8 +280,13 @@ public final class Lobes {
     }
 
     /** 1 if light from other than single directions is scattered, so that emitters are worth sampling. */
-    public static int scatters(float[] path) {
-        return (path[Layout.CHOICE_MATTE] > 0f ? 1 : 0)
+    public static int scatters(float[] path, int variant) {
+        int finish = 0;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            finish = ClearCoat.scatters(path) | (path[Layout.CHOICE_THROUGH] > 0f ? 1 : 0);
+        }
+        return finish
+                | (path[Layout.CHOICE_MATTE] > 0f ? 1 : 0)
                 | ((path[Layout.ROUGHNESS] > 0f ? 1 : 0)
                         & (path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_GLASS] > 0f ? 1 : 0));
     }
@@ -199,7 +296,7 @@ public final class Lobes {
      *
      * @return density per steradian with which {@link #choose} takes the direction, of these lobes together
      */
-    public static float evaluate(float[] path, float x, float y, float z, float[] looks) {
+    public static float evaluate(float[] path, float x, float y, float z, float[] looks, int variant) {
         float cosineOut = path[Layout.NORMAL] * x + path[Layout.NORMAL + 1] * y + path[Layout.NORMAL + 2] * z;
         float faceOut = path[Layout.FACE] * x + path[Layout.FACE + 1] * y + path[Layout.FACE + 2] * z;
         float cosineIn = Math.max(-Facet.directionDot(path, Layout.NORMAL), LEAST_COSINE);
@@ -217,22 +314,26 @@ public final class Lobes {
                 float roughness = path[Layout.ROUGHNESS];
                 float coat = DirectionalAlbedo.of((int) path[Layout.COAT_ALBEDO], roughness, cosine, looks);
                 underCoat = path[Layout.UNDER_COAT] * (1f - coated(path) * coat);
-                again = 1f - DirectionalAlbedo.of((int) path[Layout.MIRROR_ALBEDO], roughness, cosine, looks);
+                int mirror = (int) path[Layout.MIRROR_ALBEDO];
+                again = mirror > 0 ? 1f - DirectionalAlbedo.of(mirror, roughness, cosine, looks) : 1f;
             }
             float matte = cosineOut / KernelMath.PI;
             for (int channel = 0; channel < 3; channel++) {
-                path[Layout.SCATTERED + channel] = matte * matte(path, channel, underCoat, again);
+                path[Layout.SCATTERED + channel] = matte * matte(path, channel, underCoat, again, variant);
             }
             density = path[Layout.CHOICE_MATTE] * matte;
         }
         if (((above | below) & (path[Layout.ROUGHNESS] > 0f ? 1 : 0)) != 0) {
-            density = density + rough(path, x, y, z, cosineIn, cosineOut);
+            density = density + rough(path, x, y, z, cosineIn, cosineOut, variant);
+        }
+        if (FinishLobes.isOn(path, variant) != 0) {
+            density = density + FinishLobes.evaluate(path, x, y, z, cosineOut, faceOut, looks);
         }
         return density;
     }
 
     /** Adds the rough reflection or transmission to {@link Layout#SCATTERED}. */
-    private static float rough(float[] path, float x, float y, float z, float cosineIn, float cosineOut) {
+    private static float rough(float[] path, float x, float y, float z, float cosineIn, float cosineOut, int variant) {
         int passes = cosineOut < 0f ? 1 : 0;
         int sheet = passes & (path[Layout.IS_SHEET] > 0f ? 1 : 0);
         int refracts = passes & (1 - sheet);
@@ -257,30 +358,60 @@ public final class Lobes {
                         + halfZ * path[Layout.DIRECTION + 2]);
         float outDotHalf = turn * (halfX * outX + halfY * outY + halfZ * outZ);
         float alpha = path[Layout.ROUGHNESS] * path[Layout.ROUGHNESS];
-        float visible = Facet.visibleDensity(alpha, Math.abs(normalDotHalf), cosineIn);
+        float visible = visible(
+                path, turn * halfX, turn * halfY, turn * halfZ, Math.abs(normalDotHalf), cosineIn, alpha, variant);
         int seen = (viewDotHalf > 0f ? 1 : 0) & (refracts != 0 ? (outDotHalf < 0f ? 1 : 0) : 1);
         float refracted = viewDotHalf * Math.abs(outDotHalf) / Math.max(lengthSquared, LEAST_SQUARE);
         float facets = seen != 0 ? visible * (refracts != 0 ? refracted : 0.25f) : 0f;
-        float weight = facets * Facet.weight(path[Layout.ROUGHNESS], cosineIn, Math.abs(cosineOut));
-        float fresnel = fresnel(path, Math.min(Math.max(viewDotHalf, 0f), 1f));
-        float glass = path[Layout.PART_GLASS] * (1f - fresnel);
+        float in = masked(
+                path,
+                path[Layout.DIRECTION],
+                path[Layout.DIRECTION + 1],
+                path[Layout.DIRECTION + 2],
+                cosineIn,
+                variant);
+        float out = masked(path, x, y, z, Math.abs(cosineOut), variant);
+        float weight = facets * Facet.weight(path[Layout.ROUGHNESS], in, out);
+        float cosine = Math.min(Math.max(viewDotHalf, 0f), 1f);
+        float fresnel = fresnel(path, cosine);
         for (int channel = 0; channel < 3; channel++) {
             float part = passes != 0
-                    ? glass * path[Layout.ALBEDO + channel]
-                    : reflected(path, channel, Math.min(Math.max(viewDotHalf, 0f), 1f), fresnel);
+                    ? passed(path, channel, cosine, fresnel, variant)
+                    : reflected(path, channel, cosine, fresnel, variant);
             path[Layout.SCATTERED + channel] = path[Layout.SCATTERED + channel] + weight * part;
         }
         float choice = path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_GLASS];
-        float mirrors = mirrorShare(path, Math.min(Math.max(viewDotHalf, 0f), 1f), fresnel);
+        float mirrors = mirrorShare(path, cosine, fresnel, variant);
         return facets * choice * (passes != 0 ? 1f - mirrors : mirrors);
     }
 
+    /** {@link Facet#visibleDensity} of a unit facet, which a finish may have stretched. */
+    private static float visible(
+            float[] path, float x, float y, float z, float cosine, float cosineIn, float alpha, int variant) {
+        float density = 0f;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            density = Grain.visibleDensity(path, x, y, z, cosine, cosineIn, alpha);
+        } else {
+            density = Facet.visibleDensity(alpha, cosine, cosineIn);
+        }
+        return density;
+    }
+
+    /** The cosine of a direction that decides how much of it the facets mask. */
+    private static float masked(float[] path, float x, float y, float z, float cosine, int variant) {
+        float masked = cosine;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            masked = Grain.masked(path, x, y, z, cosine);
+        }
+        return masked;
+    }
+
     /** The part of the rays that meet a facet which it reflects; the others pass. */
-    private static float mirrorShare(float[] path, float cosine, float fresnel) {
+    private static float mirrorShare(float[] path, float cosine, float fresnel, int variant) {
         float share = 1f;
         if (path[Layout.PART_GLASS] > 0f) {
-            float mirror = mostReflected(path, cosine, fresnel);
-            float glass = path[Layout.PART_GLASS] * (1f - fresnel) * largestAlbedo(path);
+            float mirror = mostReflected(path, cosine, fresnel, variant);
+            float glass = mostPassed(path, cosine, fresnel, variant);
             share = glass > 0f ? mirror / (mirror + glass) : 1f;
         }
         return share;
@@ -294,7 +425,7 @@ public final class Lobes {
      *
      * @param bounce number of surfaces that the path has left before
      */
-    public static void choose(float[] path, int bounce, float[] frame, float[] looks) {
+    public static void choose(float[] path, int bounce, float[] frame, float[] looks, int variant) {
         int place = Noise.scatter(bounce);
         float first = Noise.fresh(path, place + 1, frame);
         float second = Noise.fresh(path, place + 2, frame);
@@ -302,16 +433,25 @@ public final class Lobes {
         path[Layout.FACET + 1] = path[Layout.NORMAL + 1];
         path[Layout.FACET + 2] = path[Layout.NORMAL + 2];
         if (path[Layout.ROUGHNESS] > 0f) {
-            Facet.sample(path, first, second);
+            sampleFacet(path, first, second, variant);
             float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.FACET), 0f), 1f);
             float choice = path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_GLASS];
-            float mirrors = mirrorShare(path, cosine, fresnel(path, cosine));
+            float mirrors = mirrorShare(path, cosine, fresnel(path, cosine), variant);
             path[Layout.CHOICE_MIRROR] = choice * mirrors;
             path[Layout.CHOICE_GLASS] = choice * (1f - mirrors);
         }
-        int lobe = chosen(path, bounce, frame);
-        int matte = lobe == MATTE ? 1 : 0;
+        int lobe = chosen(path, bounce, frame, variant);
         int glass = lobe == GLASS ? 1 : 0;
+        int through = 0;
+        int coat = 0;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            through = lobe == THROUGH ? 1 : 0;
+            coat = lobe == COAT ? 1 : 0;
+            if (coat != 0) {
+                ClearCoat.sampleFacet(path, first, second);
+            }
+        }
+        int matte = (lobe == MATTE ? 1 : 0) | through;
         if (matte != 0) {
             float sine = (float) Math.sqrt(first);
             TangentFrame.write(
@@ -322,17 +462,17 @@ public final class Lobes {
                     path[Layout.NORMAL + 2],
                     sine * KernelMath.cosineOfTurns(second),
                     sine * KernelMath.sineOfTurns(second),
-                    (float) Math.sqrt(Math.max(1f - first, 0f)));
+                    (through != 0 ? -1f : 1f) * (float) Math.sqrt(Math.max(1f - first, 0f)));
         }
         if (matte == 0) {
             bend(path, glass);
         }
-        int crosses = glass & (path[Layout.IS_SHEET] > Layout.SHEET_OF_BODY ? 0 : 1);
+        int crosses = (glass | through) & (path[Layout.IS_SHEET] > Layout.SHEET_OF_BODY ? 0 : 1);
         float inside = path[Layout.FROM_INSIDE];
         path[Layout.NEXT_INSIDE] = crosses != 0 ? Branch.crossed(inside > 0f ? 0 : 1) : inside;
-        int spread = matte | (path[Layout.ROUGHNESS] > 0f ? 1 : 0);
+        int spread = matte | (spreads(path, coat, variant) > 0f ? 1 : 0);
         if (spread == 0) {
-            mirrorLike(path, glass);
+            mirrorLike(path, glass, coat, variant);
         }
         if (spread != 0) {
             float density = evaluate(
@@ -340,8 +480,9 @@ public final class Lobes {
                     path[Layout.NEXT_DIRECTION],
                     path[Layout.NEXT_DIRECTION + 1],
                     path[Layout.NEXT_DIRECTION + 2],
-                    looks);
-            int goesOn = (density > 0f ? 1 : 0) & isOnSide(path, glass);
+                    looks,
+                    variant);
+            int goesOn = (density > 0f ? 1 : 0) & isOnSide(path, glass, through);
             float inverse = goesOn != 0 ? 1f / density : 0f;
             path[Layout.SURFACE_DENSITY] = goesOn != 0 ? density : 0f;
             multiply(
@@ -357,27 +498,61 @@ public final class Lobes {
      *
      * @param bounce number of surfaces that the path has left before
      */
-    public static int chosen(float[] path, int bounce, float[] frame) {
+    public static int chosen(float[] path, int bounce, float[] frame, int variant) {
         float number = Noise.fresh(path, Noise.scatter(bounce), frame);
+        int lobe = chosen(path, number);
+        if (FinishLobes.isOn(path, variant) != 0) {
+            float coat = path[Layout.CHOICE_COAT];
+            float finish = coat + path[Layout.CHOICE_THROUGH];
+            int below = chosen(path, number - finish);
+            int above = number < coat ? COAT : THROUGH;
+            lobe = number < finish ? above : below;
+        }
+        return lobe;
+    }
+
+    private static int chosen(float[] path, float number) {
         int spreads = number < path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_MATTE] ? MATTE : GLASS;
         return number < path[Layout.CHOICE_MIRROR] ? MIRROR : spreads;
+    }
+
+    /** The probability with which {@link #choose} has chosen a lobe. */
+    public static float choice(float[] path, int lobe) {
+        return path[lobe < COAT ? Layout.CHOICE_MIRROR + lobe : Layout.CHOICE_COAT + lobe - COAT];
+    }
+
+    private static void sampleFacet(float[] path, float first, float second, int variant) {
+        if (FinishLobes.isOn(path, variant) != 0) {
+            Grain.sampleFacet(path, first, second);
+        } else {
+            Facet.sample(path, first, second);
+        }
+    }
+
+    /** The roughness of the facets that have been sampled: those of the coat, or those below. */
+    private static float spreads(float[] path, int coat, int variant) {
+        float roughness = path[Layout.ROUGHNESS];
+        if (FinishLobes.isOn(path, variant) != 0) {
+            roughness = coat != 0 ? path[Layout.FINISH + Layout.FINISH_COAT_ROUGHNESS] : roughness;
+        }
+        return roughness;
     }
 
     /**
      * 1 if the next ray is on the side of the surface that its lobe leads to, else 0. A facet that reflects totally
      * refracts nowhere.
      */
-    private static int isOnSide(float[] path, int glass) {
+    private static int isOnSide(float[] path, int glass, int through) {
         float height = path[Layout.NORMAL] * path[Layout.NEXT_DIRECTION]
                 + path[Layout.NORMAL + 1] * path[Layout.NEXT_DIRECTION + 1]
                 + path[Layout.NORMAL + 2] * path[Layout.NEXT_DIRECTION + 2];
         float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.FACET), 0f), 1f);
-        int passes = (height < 0f ? 1 : 0) & (fresnel(path, cosine) < 1f ? 1 : 0);
-        return glass != 0 ? passes : (height > 0f ? 1 : 0);
+        int passes = (height < 0f ? 1 : 0) & ((fresnel(path, cosine) < 1f ? 1 : 0) | through);
+        return (glass | through) != 0 ? passes : (height > 0f ? 1 : 0);
     }
 
-    /** Multiplies the throughput by the weight of a perfect mirror or of clear glass. */
-    private static void mirrorLike(float[] path, int glass) {
+    /** Multiplies the throughput by the weight of a perfect mirror, of clear glass, or of a smooth coat. */
+    private static void mirrorLike(float[] path, int glass, int coat, int variant) {
         float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
         float fresnel = fresnel(path, cosine);
         float choice = glass != 0 ? path[Layout.CHOICE_GLASS] : path[Layout.CHOICE_MIRROR];
@@ -386,12 +561,22 @@ public final class Lobes {
                 + path[Layout.FACE + 2] * path[Layout.NEXT_DIRECTION + 2];
         int leaves = glass != 0 ? (faceOut < 0f ? 1 : 0) : (faceOut > 0f ? 1 : 0);
         float inverse = (leaves & (choice > 0f ? 1 : 0)) != 0 ? 1f / choice : 0f;
-        float passed = path[Layout.PART_GLASS] * (1f - fresnel);
         path[Layout.SURFACE_DENSITY] = 0f;
-        float red = glass != 0 ? passed * path[Layout.ALBEDO] : reflected(path, 0, cosine, fresnel);
-        float green = glass != 0 ? passed * path[Layout.ALBEDO + 1] : reflected(path, 1, cosine, fresnel);
-        float blue = glass != 0 ? passed * path[Layout.ALBEDO + 2] : reflected(path, 2, cosine, fresnel);
-        multiply(path, red * inverse, green * inverse, blue * inverse);
+        float red = mirrored(path, 0, glass, cosine, fresnel, variant);
+        float green = mirrored(path, 1, glass, cosine, fresnel, variant);
+        float blue = mirrored(path, 2, glass, cosine, fresnel, variant);
+        if (coat == 0) {
+            multiply(path, red * inverse, green * inverse, blue * inverse);
+        } else {
+            float mirrored = ClearCoat.mirrored(path);
+            multiply(path, mirrored, mirrored, mirrored);
+        }
+    }
+
+    private static float mirrored(float[] path, int channel, int glass, float cosine, float fresnel, int variant) {
+        return glass != 0
+                ? passed(path, channel, cosine, fresnel, variant)
+                : reflected(path, channel, cosine, fresnel, variant);
     }
 
     private static void multiply(float[] path, float red, float green, float blue) {

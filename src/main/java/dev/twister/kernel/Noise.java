@@ -25,6 +25,8 @@ public final class Noise {
     /** Place of the numbers of blended triangles, after those of all surfaces and their ends. */
     private static final int CROSSING = Layout.SAMPLE_SURFACE + (PLACES + 1) * (Layout.MOST_BOUNCES + 1);
 
+    private static final int CROSSING_PLACES = 5;
+
     private Noise() {}
 
     /**
@@ -95,6 +97,11 @@ public final class Noise {
     /** Place of the number that ends the path. */
     static int roulette(int bounce) {
         return Layout.SAMPLE_SURFACE + PLACES * (Layout.MOST_BOUNCES + 1) + bounce;
+    }
+
+    /** Place of the number that chooses the channel of dispersed light, after those of blended triangles. */
+    static int dispersion(int bounce) {
+        return CROSSING + CROSSING_PLACES + bounce;
     }
 
     /**

@@ -27,35 +27,46 @@ final class NormalMap {
         int map = SurfaceMaps.row(maps, frame) + Layout.MAPS_NORMAL;
         if (maps > 0) {
             if (looks[map + Layout.MAP_WIDTH] > 0f) {
-                float outward = 1f;
-                if (Surface.isMesh(body, frame, variant) != 0) {
-                    outward = Facet.directionDot(path, Layout.FACE) > 0f ? -1f : 1f;
-                } else {
-                    outward = path[Layout.FROM_INSIDE] > 0f ? -1f : 1f;
-                }
-                turn(path, body, map, outward, frame, bodies, looks, meshes, images, variant);
+                float scale = looks[map + Layout.MAPS_NORMAL_SCALE - Layout.MAPS_NORMAL];
+                turn(path, body, map, scale, frame, bodies, looks, meshes, images, variant);
             }
         }
     }
 
-    /** @param outward -1 if the normal is on the body's inner side, else 1 */
-    private static void turn(
+    /** -1 if the normal is on the body's inner side, else 1. */
+    static float outward(float[] path, int body, float[] frame, int variant) {
+        float outward = 1f;
+        if (Surface.isMesh(body, frame, variant) != 0) {
+            outward = Facet.directionDot(path, Layout.FACE) > 0f ? -1f : 1f;
+        } else {
+            outward = path[Layout.FROM_INSIDE] > 0f ? -1f : 1f;
+        }
+        return outward;
+    }
+
+    /**
+     * Turns the normal as a map says.
+     *
+     * @param map its place in {@code looks}
+     * @param scale factor of the map's x and y
+     */
+    static void turn(
             float[] path,
             int body,
             int map,
-            float outward,
+            float scale,
             float[] frame,
             float[] bodies,
             float[] looks,
             float[] meshes,
             float[] images,
             int variant) {
+        float outward = outward(path, body, frame, variant);
         path[Layout.NORMAL] = outward * path[Layout.NORMAL];
         path[Layout.NORMAL + 1] = outward * path[Layout.NORMAL + 1];
         path[Layout.NORMAL + 2] = outward * path[Layout.NORMAL + 2];
         writeTangent(path, body, map, frame, bodies, looks, meshes, variant);
         Texture.aim(path, map, body, frame, looks, variant);
-        float scale = looks[map + Layout.MAPS_NORMAL_SCALE - Layout.MAPS_NORMAL];
         float x = scale * (2f * Texture.channel(path, map, 0, looks, images) - 1f);
         float y = scale * (2f * Texture.channel(path, map, 1, looks, images) - 1f);
         float z = 2f * Texture.channel(path, map, 2, looks, images) - 1f;
@@ -111,9 +122,9 @@ final class NormalMap {
 
     /**
      * Writes the directions of the map's right and upper border on the surface, of any length. On a mesh it also writes
-     * the map's texture coordinates.
+     * the map's texture coordinates, if it has any.
      */
-    private static void writeTangent(
+    static void writeTangent(
             float[] path,
             int body,
             int map,
@@ -128,8 +139,11 @@ final class NormalMap {
             int set = (int) looks[map + Layout.MAP_SAMPLER] / Layout.SAMPLER_COORDINATES;
             float b = path[Layout.CORNER_PARTS];
             float c = path[Layout.CORNER_PARTS + 1];
-            MeshSurface.writeTexturePlace(path, instance, triangle, set, b, c, bodies, meshes);
-            writeImageAxes(path, instance, triangle, set, bodies, meshes);
+            clearTangent(path);
+            if (bodies[instance + Layout.INSTANCE_TEXTURE_PLACES] > 0f) {
+                MeshSurface.writeTexturePlace(path, instance, triangle, set, b, c, bodies, meshes);
+                writeImageAxes(path, instance, triangle, set, bodies, meshes);
+            }
             if (bodies[instance + Layout.INSTANCE_TANGENTS] > 0f) {
                 writeFileTangent(path, instance, triangle, bodies, meshes);
             }
@@ -144,6 +158,13 @@ final class NormalMap {
             path[Layout.UPWARD] = plane != 0 ? 0f : -x * y;
             path[Layout.UPWARD + 1] = plane != 0 ? 0f : 1f - y * y;
             path[Layout.UPWARD + 2] = plane != 0 ? 1f : -z * y;
+        }
+    }
+
+    private static void clearTangent(float[] path) {
+        for (int axis = 0; axis < 3; axis++) {
+            path[Layout.TANGENT + axis] = 0f;
+            path[Layout.UPWARD + axis] = 0f;
         }
     }
 

@@ -195,8 +195,14 @@ public final class PathTracer {
             SurfaceMaps.find(path, body, frame, bodies, looks, meshes, images, variant);
         }
         Surface.face(path, body, frame, variant);
+        if ((variant & Variant.FINISH) != 0) {
+            FinishMaps.find(path, body, frame, bodies, looks, meshes, images, variant);
+        }
         if ((variant & Variant.MAPS) != 0) {
             NormalMap.apply(path, body, frame, bodies, looks, meshes, images, variant);
+        }
+        if ((variant & Variant.FINISH) != 0) {
+            FinishMaps.straighten(path);
         }
         Medium.meet(path, body, looks);
     }
@@ -324,15 +330,15 @@ public final class PathTracer {
             float[] meshes,
             float[] images,
             int variant) {
-        Lobes.prepare(path, body, frame, looks, variant);
+        Lobes.prepare(path, body, bounce, frame, looks, variant);
         int toEmitter = 0;
-        if (Lobes.scatters(path) != 0) {
+        if (Lobes.scatters(path, variant) != 0) {
             Emitter.choose(path, bounce, frame, bodies, looks, meshes, images, variant);
             if (path[Layout.LIGHT_DENSITY] > 0f) {
-                toEmitter = direct(path, body, bounce, frame, looks);
+                toEmitter = direct(path, body, bounce, frame, looks, variant);
             }
         }
-        Lobes.choose(path, bounce, frame, looks);
+        Lobes.choose(path, bounce, frame, looks, variant);
         if (path[Layout.NEXT_INSIDE] != path[Layout.FROM_INSIDE]) {
             Medium.cross(path, body, path[Layout.NEXT_INSIDE] > 0f ? 1 : 0, looks);
         }
@@ -374,9 +380,9 @@ public final class PathTracer {
      * Writes {@code f * |cos|} of the direction to the chosen emitter, times what the medium leaves of its light, to
      * {@link Layout#SCATTERED}; returns the density of {@link Lobes#evaluate}.
      */
-    public static float evaluateToLight(float[] path, int body, float[] looks) {
+    public static float evaluateToLight(float[] path, int body, float[] looks, int variant) {
         float density = Lobes.evaluate(
-                path, path[Layout.TO_LIGHT], path[Layout.TO_LIGHT + 1], path[Layout.TO_LIGHT + 2], looks);
+                path, path[Layout.TO_LIGHT], path[Layout.TO_LIGHT + 1], path[Layout.TO_LIGHT + 2], looks, variant);
         Medium.dim(path, body, crossesToLight(path), looks);
         return density;
     }
@@ -390,8 +396,8 @@ public final class PathTracer {
     }
 
     /** Writes the light that the chosen emitter adds unless it is blocked; 1 if that is any. */
-    private static int direct(float[] path, int body, int bounce, float[] frame, float[] looks) {
-        float density = evaluateToLight(path, body, looks);
+    private static int direct(float[] path, int body, int bounce, float[] frame, float[] looks, int variant) {
+        float density = evaluateToLight(path, body, looks, variant);
         float chosen = path[Layout.LIGHT_DENSITY];
         // After the last bounce no ray is scattered that could meet the emitter, too.
         int last = bounce < (int) frame[Layout.BOUNCES] ? 0 : 1;

@@ -34,7 +34,7 @@ public final class Refraction {
     /**
      * The squared cosine of the refracted ray, 0 or negative at total internal reflection; accurate at grazing angles.
      */
-    private static float passedSquared(float cosine, float ratio) {
+    static float passedSquared(float cosine, float ratio) {
         return (1f - ratio) * (1f + ratio) + ratio * cosine * (ratio * cosine);
     }
 }

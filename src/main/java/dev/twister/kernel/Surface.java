@@ -5,8 +5,8 @@ public final class Surface {
     private Surface() {}
 
     /**
-     * Writes whether the ray comes from inside, which requires a transmitting body. In that case a sphere's normal is
-     * turned toward the ray's origin; a mesh's already is.
+     * Writes whether the ray comes from inside, which requires a body that light passes. In that case a sphere's normal
+     * is turned toward the ray's origin; a mesh's already is.
      *
      * @param path {@link Layout#PATH_LENGTH} floats, after {@link #find} and {@link SurfaceLook#find}
      * @param body any except the light
@@ -15,7 +15,7 @@ public final class Surface {
         int mesh = isMesh(body, frame, variant);
         // A place that is known only at run time would keep the whole path in memory on some devices.
         float along = mesh != 0 ? Facet.directionDot(path, Layout.FACE) : Facet.directionDot(path, Layout.NORMAL);
-        int transmits = (body == Layout.PLANE ? 0 : 1) & (path[Layout.TRANSMISSION] > 0f ? 1 : 0);
+        int transmits = (body == Layout.PLANE ? 0 : 1) & isPassedHere(path, variant);
         int inside = transmits & (along > 0f ? 1 : 0);
         path[Layout.FROM_INSIDE] = inside;
         int turned = inside & (1 - mesh);
@@ -38,6 +38,27 @@ public final class Surface {
         } else {
             findOnPlaneOrSphere(path, body, bodies);
         }
+    }
+
+    private static int isPassedHere(float[] path, int variant) {
+        int passed = path[Layout.TRANSMISSION] > 0f ? 1 : 0;
+        if ((variant & Variant.FINISH) != 0) {
+            passed = path[Layout.TRANSMISSION] + path[Layout.IS_SHEET] > 0f ? 1 : 0;
+        }
+        return passed;
+    }
+
+    /**
+     * 1 if light may pass the body's surface, so that its inner side is seen, else 0. A diffuse sheet, which transmits
+     * nothing else, passes light in path tracing alone.
+     */
+    static int isPassed(int body, float[] looks, int variant) {
+        int look = Layout.LOOK_STRIDE * body;
+        int passed = looks[look + Layout.LOOK_TRANSMISSION] > 0f ? 1 : 0;
+        if ((variant & Variant.FINISH) != 0) {
+            passed = looks[look + Layout.LOOK_TRANSMISSION] + looks[look + Layout.LOOK_SHEET] > 0f ? 1 : 0;
+        }
+        return passed;
     }
 
     /** 1 if the body is a mesh, else 0. */

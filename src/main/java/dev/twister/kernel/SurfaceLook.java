@@ -44,6 +44,9 @@ public final class SurfaceLook {
             if ((variant & Variant.PATH) != 0) {
                 path[Layout.SPECULAR_LOSS] = looks[look + Layout.LOOK_SPECULAR_LOSS];
             }
+            if ((variant & Variant.FINISH) != 0) {
+                path[Layout.IS_FINISHED] = looks[look + Layout.LOOK_FINISH] > 0f ? 1f : 0f;
+            }
             if ((variant & Variant.MAPS) == 0) {
                 multiplyByTexture(path, body, frame, looks, images, variant);
             }

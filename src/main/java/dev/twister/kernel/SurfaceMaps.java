@@ -54,7 +54,7 @@ final class SurfaceMaps {
     }
 
     /** Writes {@link Layout#TEXEL} and returns 1, or returns 0 if there is no such map. */
-    private static int aim(
+    static int aim(
             float[] path,
             int map,
             int body,

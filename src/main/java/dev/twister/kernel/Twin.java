@@ -30,13 +30,14 @@ final class Twin {
      *
      * @param found distance to the sphere wherever it is
      */
-    static float distance(float[] path, int at, int body, float found, float[] frame, float[] bodies, float[] looks) {
+    static float distance(
+            float[] path, int at, int body, float found, float[] frame, float[] bodies, float[] looks, int variant) {
         int leaving = (int) path[Layout.LEAVING];
         float distance = found;
         if (is(leaving, at, body, frame, bodies) != 0) {
             int inside = path[Layout.INSIDE] > 0f ? 1 : 0;
             int crossed = (path[Layout.INSIDE] < 0f ? 1 : 0) | (path[Layout.INSIDE] > 1f ? 1 : 0);
-            int transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0f ? 1 : 0;
+            int transmits = Surface.isPassed(body, looks, variant);
             int touches = crossed & (body > leaving ? 1 : 0) & (inside | transmits);
             float far = Intersection.MISS;
             if ((inside & transmits) != 0) {

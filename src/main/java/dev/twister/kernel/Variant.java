@@ -32,7 +32,10 @@ public final class Variant {
     /** Some spheres are in one place, one of which transmits; implies {@link #MATERIALS}. */
     public static final int TWINS = 256;
 
-    private static final int VIEW_SHIFT = 9;
+    /** Some material has a finish, see {@link Layout#LOOK_FINISH}; only with {@link #PATH}; implies {@link #MAPS}. */
+    public static final int FINISH = 512;
+
+    private static final int VIEW_SHIFT = 10;
 
     private Variant() {}
 

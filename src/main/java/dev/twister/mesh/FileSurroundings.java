@@ -36,11 +36,12 @@ public record FileSurroundings(List<FileLight> lights, List<FileCamera> cameras)
      */
     public record FileCamera(String name, Camera lens, Vector3 position, Vector3 direction) {
         FileCamera placed(Affine placement) {
-            return new FileCamera(
-                    name,
-                    lens,
-                    placement.point(position),
-                    placement.direction(direction).normalized());
+            return at(placement.point(position), placement.direction(direction).normalized());
+        }
+
+        /** The same elsewhere. */
+        public FileCamera at(Vector3 newPosition, Vector3 newDirection) {
+            return new FileCamera(name, lens, newPosition, newDirection);
         }
 
         /** A view of a scene; the horizon is level. */
@@ -62,11 +63,14 @@ public record FileSurroundings(List<FileLight> lights, List<FileCamera> cameras)
      */
     public record FileLight(LightShape shape, Rgb color, double intensity, Vector3 position) {
         FileLight placed(Affine placement) {
-            return new FileLight(
-                    shape.withDirection(placement.direction(shape.direction()).normalized()),
-                    color,
-                    intensity,
-                    placement.point(position));
+            return at(
+                    placement.point(position),
+                    placement.direction(shape.direction()).normalized());
+        }
+
+        /** The same elsewhere. */
+        public FileLight at(Vector3 newPosition, Vector3 newDirection) {
+            return new FileLight(shape.withDirection(newDirection), color, intensity, newPosition);
         }
     }
 }

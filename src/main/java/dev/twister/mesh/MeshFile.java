@@ -61,6 +61,15 @@ public record MeshFile(
                         .findFirst();
     }
 
+    /** For each animation, in the file's order, its name, or its number where no {@link #clip} finds it by a name. */
+    public List<String> clips() {
+        return IntStream.range(0, rig.clips().size())
+                .mapToObj(clip -> clip(rig.clips().get(clip).name()).equals(OptionalInt.of(clip))
+                        ? rig.clips().get(clip).name()
+                        : Integer.toString(clip))
+                .toList();
+    }
+
     /** The numbers and names of the animations, for people. */
     public String clipNames() {
         return IntStream.range(0, rig.clips().size())
@@ -91,6 +100,14 @@ public record MeshFile(
     public MeshFile posed(MeshAnimation animation) {
         OptionalInt clip = clip(animation.name());
         return clip.isPresent() ? rig.posed(this, clip.getAsInt(), animation.time(clipSeconds(animation))) : this;
+    }
+
+    /** The lights and cameras at the start of one of the animations. */
+    FileSurroundings surroundings(MeshAnimation animation) {
+        OptionalInt clip = clip(animation.name());
+        return clip.isPresent()
+                ? rig.surroundings(this, clip.getAsInt(), animation.time(clipSeconds(animation)))
+                : surroundings;
     }
 
     /** The box around all parts. */

@@ -15,6 +15,11 @@ public interface MeshRig {
         public MeshFile posed(MeshFile rest, int clip, double seconds) {
             return rest;
         }
+
+        @Override
+        public FileSurroundings surroundings(MeshFile rest, int clip, double seconds) {
+            return rest.surroundings();
+        }
     };
 
     /** The animations, in the file's order. */
@@ -29,6 +34,9 @@ public interface MeshRig {
      * @param seconds at least 0
      */
     MeshFile posed(MeshFile rest, int clip, double seconds);
+
+    /** The lights and cameras alone of {@link #posed}. */
+    FileSurroundings surroundings(MeshFile rest, int clip, double seconds);
 
     /**
      * An animation.

@@ -4,14 +4,19 @@ import dev.twister.mesh.FileSurroundings.FileCamera;
 import dev.twister.mesh.FileSurroundings.FileLight;
 import dev.twister.mesh.input.QuotedText;
 import dev.twister.scene.Camera;
+import dev.twister.scene.CameraKeyframe;
+import dev.twister.scene.Easing;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
+import dev.twister.scene.Keyframe;
 import dev.twister.scene.Light;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.MeshAnimation;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Track;
+import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.light.LightShape;
 import dev.twister.scene.light.Lights;
@@ -21,6 +26,10 @@ import dev.twister.scene.select.Title;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.Function;
 
 /** A scene for viewing one mesh: scaled to 2 meters, on the checkered plane, in the center of the picture. */
 public final class MeshStage {
@@ -116,16 +125,117 @@ public final class MeshStage {
                 scale * half.y() + distance * Math.sin(pitch),
                 -distance * Math.cos(yaw) * Math.cos(pitch));
         Mesh mesh = turned.withScale(scale).withPosition(place).withSmoothDegrees(SMOOTH_DEGREES);
-        FileSurroundings around = held.surroundings().placed(MeshPlacement.of(mesh));
+        Moving moving = new Moving(mesh, held);
+        FileSurroundings around = moving.at(mesh.animation());
         StageLights lights = new StageLights(new Vector3(0, scale * half.y(), 0), LARGEST_SIDE / 2);
         return Scene.under(skybox)
                 .withTitle(Title.NONE.withName(file.getFileName().toString()))
                 .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
                 .withViews(around.cameras().stream().map(FileCamera::view).toList())
                 .withLights(around.lights().isEmpty() ? Lights.of(lamp(DAY)) : lights.of(around.lights(), scale))
+                .withTracks(moving.tracks())
                 .withRendering(Rendering.DEFAULT.withShadowSamples(SHADOW_SAMPLES))
                 .withGround(Ground.of(PLANE_SIZE, PLANE_HEIGHT, BRIGHT, DARK, 0))
                 .withMeshes(List.of(mesh));
+    }
+
+    /**
+     * How a camera of the file moves in one turn of the animation; empty if it rests, or is not there.
+     *
+     * @param stage as {@link #of} made it
+     * @param view the camera's name
+     */
+    public static List<CameraKeyframe> path(Scene stage, MeshFile held, String view) {
+        return new Moving(stage.meshes().getFirst(), held).path(view);
+    }
+
+    /** The lights and cameras of a file in the mesh's animation. */
+    private record Moving(Mesh mesh, MeshFile held) {
+        private static final double KEYFRAMES_PER_SECOND = 30;
+        private static final double MOST_KEYFRAMES = 1000;
+        private static final double TURN = 360;
+
+        /** In the scene's coordinates, at the start of an animation. */
+        FileSurroundings at(MeshAnimation animation) {
+            return held.surroundings(animation).placed(MeshPlacement.of(mesh));
+        }
+
+        /** At evenly spread times, by their seconds. */
+        private SortedMap<Double, FileSurroundings> turn() {
+            double seconds = held.clipSeconds(mesh.animation());
+            int steps = (int) Math.clamp(Math.ceil(seconds * KEYFRAMES_PER_SECOND), 1, MOST_KEYFRAMES);
+            SortedMap<Double, FileSurroundings> turn = new TreeMap<>();
+            for (int step = 0; step <= steps; step++) {
+                double time = seconds * step / steps;
+                turn.put(time, at(mesh.animation().withLoop(false).withStart(time)));
+            }
+            return turn;
+        }
+
+        /** Of the places and directions of lights that move. */
+        List<Track> tracks() {
+            if (held.surroundings().lights().isEmpty() || held.clipSeconds(mesh.animation()) == 0) {
+                return List.of();
+            }
+            SortedMap<Double, FileSurroundings> turn = turn();
+            List<Track> tracks = new ArrayList<>();
+            for (int i = 0; i < held.surroundings().lights().size(); i++) {
+                int index = i;
+                LightShape.Kind kind =
+                        held.surroundings().lights().get(i).shape().kind();
+                if (kind != LightShape.Kind.SUN) {
+                    track(index, "position", turn, light -> SceneLimits.POSITION.clamp(light.position()))
+                            .ifPresent(tracks::add);
+                }
+                if (kind != LightShape.Kind.SPHERE) {
+                    track(index, "direction", turn, light -> light.shape().direction())
+                            .ifPresent(tracks::add);
+                }
+            }
+            return tracks;
+        }
+
+        private Optional<Track> track(
+                int light,
+                String property,
+                SortedMap<Double, FileSurroundings> turn,
+                Function<FileLight, Vector3> value) {
+            List<Keyframe> keyframes = turn.entrySet().stream()
+                    .map(entry -> Keyframe.of(
+                                    entry.getKey(),
+                                    value.apply(entry.getValue().lights().get(light)))
+                            .withEasing(Easing.LINEAR))
+                    .toList();
+            boolean moves = keyframes.stream().map(Keyframe::value).distinct().count() > 1;
+            return Optional.of(new Track(
+                            TrackTarget.light(light),
+                            property,
+                            keyframes,
+                            mesh.animation().loop()))
+                    .filter(_ -> moves);
+        }
+
+        List<CameraKeyframe> path(String view) {
+            List<CameraKeyframe> path = new ArrayList<>();
+            turn().forEach((seconds, around) -> around.cameras().stream()
+                    .filter(camera -> camera.name().equals(view))
+                    .forEach(camera -> {
+                        Camera now = camera.view().camera();
+                        double before = path.isEmpty() ? 0 : path.getLast().yawDegrees();
+                        // The short way around.
+                        double yaw = now.yawDegrees() - TURN * Math.rint((now.yawDegrees() - before) / TURN);
+                        path.add(new CameraKeyframe(
+                                seconds,
+                                SceneLimits.POSITION.clamp(now.position()),
+                                yaw,
+                                now.pitchDegrees(),
+                                Optional.empty(),
+                                Optional.empty()));
+                    }));
+            boolean moves =
+                    path.stream().map(key -> key.withSeconds(0)).distinct().count() > 1;
+            return moves ? path : List.of();
+        }
     }
 
     /** The box around all that the mesh is in its animation. */

@@ -4,7 +4,6 @@ import dev.twister.files.InputFile;
 import dev.twister.files.SystemReason;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
-import dev.twister.world.World;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
@@ -135,26 +134,6 @@ public final class MotionFile implements AutoCloseable {
         ByteBuffer buffer = ByteBuffer.allocate(header.frameBytes());
         long place = MotionHeader.BYTES + (long) header.frameBytes() * (number - header.firstFrame());
         return fill(buffer, channel, place) ? Optional.of(buffer.array()) : Optional.empty();
-    }
-
-    /**
-     * Moves the bodies of a world of the same scene to their positions in a frame.
-     *
-     * @throws IOException if the frame is not in the file or is damaged
-     */
-    public void place(World world, int number) throws IOException {
-        MotionFrame frame = frame(number);
-        float[] positions = frame.positions();
-        Vector3 from = header.origin();
-        Vector3 to = world.origin();
-        if (!from.equals(to)) {
-            Vector3 way = from.minus(to);
-            double[] shift = {way.x(), way.y(), way.z()};
-            for (int i = 0; i < positions.length; i++) {
-                positions[i] = (float) (positions[i] + shift[i % 3]);
-            }
-        }
-        world.setBodyPositions(positions, frame.present());
     }
 
     private static boolean fill(ByteBuffer buffer, FileChannel channel, long place) throws IOException {

@@ -1,5 +1,7 @@
 package dev.twister.motion;
 
+import dev.twister.scene.Vector3;
+import dev.twister.world.World;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -14,6 +16,23 @@ import java.util.zip.CRC32C;
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 public record MotionFrame(int present, float[] positions) {
+    /**
+     * Moves the bodies of a world of the same scene on their straight way to this frame.
+     *
+     * @param before the frame before this one
+     * @param share of the way, in [0, 1]; 1 is this frame
+     * @param origin of the positions of both, in the scene's coordinates, in meters
+     */
+    public void place(World world, MotionFrame before, double share, Vector3 origin) {
+        Vector3 shift = origin.minus(world.origin());
+        double[] shifts = {shift.x(), shift.y(), shift.z()};
+        float[] places = new float[positions.length];
+        for (int i = 0; i < places.length; i++) {
+            places[i] = (float) ((1 - share) * before.positions[i] + share * positions[i] + shifts[i % 3]);
+        }
+        world.setBodyPositions(places, present);
+    }
+
     static int bytes(int bodies) {
         return Math.addExact(2 * Integer.BYTES, Math.multiplyExact(3 * Float.BYTES, bodies));
     }

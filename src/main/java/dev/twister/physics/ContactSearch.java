@@ -243,7 +243,7 @@ final class ContactSearch {
         double[] n = bodies.numbers;
         int at = BodyStore.STRIDE * body;
         int start = list.count;
-        double reach = bodies.reach[body];
+        double reach = bodies.reach[body] + mesh.reach();
         mesh.near(n[at], n[at + 1], n[at + 2], reach, triangle -> {
             TriangleContact contact = mesh.contact(triangle);
             contact.meet(n[at], n[at + 1], n[at + 2], 0, 0, 0, 0);

@@ -8,19 +8,24 @@ import dev.twister.mesh.MeshPlacement;
 import dev.twister.mesh.TriangleMesh;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
+import dev.twister.world.Animation;
 import dev.twister.world.SceneMeshes;
 import java.util.Arrays;
+import java.util.function.DoubleFunction;
 import java.util.function.IntConsumer;
 
 /**
- * Fixed triangles that bodies can touch from both sides.
+ * Triangles that bodies can touch from both sides; they are fixed, or move step by step as meshes do in a film.
  *
  * <p>A body touches a triangle at the surface point nearest to its center. At an edge that two triangles share, one
  * triangle's nearest point is not the surface's if the other triangle comes nearer. Then only the other one is touched,
  * so that a body rolling over flat ground is not deflected by interior edges.
  */
 final class MeshCollider {
+    private static final double[] RESTING = {};
+
     /** A collider without triangles. */
     static final MeshCollider EMPTY = new MeshCollider(new double[0]);
 
@@ -35,8 +40,21 @@ final class MeshCollider {
     /** Doubles per box: minimum and maximum of x, y and z. */
     private static final int BOX = 6;
 
+    /** Where the corners are at a time of the film. */
+    private final DoubleFunction<double[]> film;
+
+    private final boolean moves;
+
     /** {@code double[9 * triangles]}: three corners of x, y, z each, in meters. */
     private final double[] corners;
+
+    /** The corners' displacements per sub-step, in meters; empty while all rest. */
+    private double[] drifts = RESTING;
+
+    /** The longest displacement of a corner in the present step, in meters. */
+    private double longest;
+
+    private double time;
 
     /** {@code int[3 * triangles]}: the triangle across the edge from corner k to the next one, or {@link #NOTHING}. */
     private final int[] neighbors;
@@ -52,6 +70,12 @@ final class MeshCollider {
      *     degenerate
      */
     MeshCollider(double[] corners) {
+        this(corners, false, _ -> corners);
+    }
+
+    private MeshCollider(double[] corners, boolean moves, DoubleFunction<double[]> film) {
+        this.film = film;
+        this.moves = moves;
         this.corners = corners;
         int triangles = corners.length / 9;
         neighbors = TriangleBorders.neighbors(corners);
@@ -63,12 +87,30 @@ final class MeshCollider {
     }
 
     /**
-     * The meshes of a scene in world coordinates.
+     * The meshes of a scene in world coordinates, where they are in the scene.
      *
      * @throws IllegalArgumentException if one of the scene's meshes has not been read
      * @throws MeshException if they have more than {@value #MOST_TRIANGLES} triangles in total
      */
     static MeshCollider of(Scene scene, SceneMeshes meshes) {
+        double[] corners = corners(scene, meshes, false);
+        return corners.length == 0 ? EMPTY : new MeshCollider(corners);
+    }
+
+    /** As above, but meshes move by their animations and tracks. */
+    static MeshCollider ofFilm(Scene scene, SceneMeshes meshes) {
+        Scene alone = scene.withTracks(scene.tracks().stream()
+                .filter(track -> track.target().kind() == TrackTarget.Kind.MESH)
+                .toList());
+        if (!Animation.isOfMeshes(alone) && alone.tracks().isEmpty()) {
+            return of(scene, meshes);
+        }
+        DoubleFunction<double[]> film = seconds -> corners(Animation.tracked(alone, seconds), meshes, true);
+        return new MeshCollider(film.apply(0), true, film);
+    }
+
+    /** @param all whether triangles without area are among them, so that their number is always the same */
+    private static double[] corners(Scene scene, SceneMeshes meshes, boolean all) {
         long triangles = scene.meshes().stream()
                 .mapToLong(mesh -> meshes.file(mesh).shownTriangles())
                 .sum();
@@ -79,17 +121,17 @@ final class MeshCollider {
         double[] corners = new double[(int) (9 * triangles)];
         int end = 0;
         for (Mesh mesh : scene.meshes()) {
-            MeshFile file = meshes.file(mesh);
+            MeshFile file = meshes.posedFile(mesh);
             Affine placement = MeshPlacement.of(mesh);
             for (MeshPart part : file.parts()) {
-                end = place(file.meshes().get(part.mesh()), placement.of(part.placement()), corners, end);
+                end = place(file.meshes().get(part.mesh()), placement.of(part.placement()), corners, end, all);
             }
         }
-        return end == 0 ? EMPTY : new MeshCollider(Arrays.copyOf(corners, end));
+        return end == corners.length ? corners : Arrays.copyOf(corners, end);
     }
 
-    /** Writes the placed triangles except degenerate ones; returns the end. */
-    private static int place(TriangleMesh mesh, Affine placement, double[] corners, int start) {
+    /** Writes the placed triangles, all of them or those with an area; returns the end. */
+    private static int place(TriangleMesh mesh, Affine placement, double[] corners, int start, boolean all) {
         float[] positions = mesh.positions();
         int end = start;
         for (int corner = 0; corner < mesh.corners().length; corner++) {
@@ -99,11 +141,86 @@ final class MeshCollider {
             corners[end++] = place.x();
             corners[end++] = place.y();
             corners[end++] = place.z();
-            if (corner % 3 == 2 && !TriangleContact.hasArea(corners, end - 9)) {
+            if (!all && corner % 3 == 2 && !TriangleContact.hasArea(corners, end - 9)) {
                 end -= 9;
             }
         }
         return end;
+    }
+
+    /**
+     * Begins a step, at the end of which the triangles are where they are at a time of the film.
+     *
+     * @param seconds since the film's start
+     * @return the longest displacement of a corner in the step, in meters
+     */
+    double begin(double seconds) {
+        if (!moves) {
+            return 0;
+        }
+        drifts = seconds == time ? RESTING : film.apply(seconds);
+        time = seconds;
+        double most = 0;
+        for (int corner = 0; corner < drifts.length; corner += 3) {
+            double square = 0;
+            for (int axis = corner; axis < corner + 3; axis++) {
+                drifts[axis] -= corners[axis];
+                square += drifts[axis] * drifts[axis];
+            }
+            most = Math.max(most, square);
+        }
+        longest = Math.sqrt(most);
+        refit(0, 0, order.length);
+        return longest;
+    }
+
+    /** Sets in how many sub-steps the step is taken, before the first of them. */
+    void divide(int substeps) {
+        for (int i = 0; i < drifts.length; i++) {
+            drifts[i] /= substeps;
+        }
+    }
+
+    /** Moves the triangles on by a sub-step. */
+    void advance() {
+        for (int i = 0; i < drifts.length; i++) {
+            corners[i] += drifts[i];
+        }
+    }
+
+    /** The longest displacement of a corner in the present step, in meters; 0 while all rest. */
+    double reach() {
+        return longest;
+    }
+
+    /** Whether a triangle that moves by more than a length in the present step is within a distance of a point. */
+    boolean isMovingNear(double x, double y, double z, double distance, double least) {
+        boolean[] found = {false};
+        near(x, y, z, distance + longest, triangle -> {
+            TriangleContact contact = contact(triangle);
+            contact.meet(x, y, z, 0, 0, 0, 0);
+            found[0] |= contact.away() <= distance + longest && isMoving(triangle, least);
+        });
+        return found[0];
+    }
+
+    private boolean isMoving(int triangle, double least) {
+        for (int corner = 9 * triangle; corner < 9 * triangle + 9; corner += 3) {
+            if (Math.hypot(Math.hypot(drifts[corner], drifts[corner + 1]), drifts[corner + 2]) > least) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The displacements that {@link TriangleContact#drift} takes; empty while all rest. */
+    double[] drifts() {
+        return drifts;
+    }
+
+    /** Whether a triangle has an area at present; one that moves may lose it. */
+    boolean hasArea(int triangle) {
+        return !moves || TriangleContact.hasArea(corners, 9 * triangle);
     }
 
     int triangles() {
@@ -148,6 +265,21 @@ final class MeshCollider {
     }
 
     private void build(int node, int from, int to) {
+        double[] box = fit(node, from, to);
+        if (hasChildren(node)) {
+            int axis = 0;
+            for (int other = 1; other < 3; other++) {
+                axis = box[2 * other + 1] - box[2 * other] > box[2 * axis + 1] - box[2 * axis] ? other : axis;
+            }
+            int middle = (from + to) >>> 1;
+            split(from, to, middle, axis);
+            build(2 * node + 1, from, middle);
+            build(2 * node + 2, middle, to);
+        }
+    }
+
+    /** Sets the box of a node around its triangles; returns a copy. */
+    private double[] fit(int node, int from, int to) {
         double[] box = {
             Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY,
             Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY,
@@ -162,15 +294,22 @@ final class MeshCollider {
             }
         }
         System.arraycopy(box, 0, boxes, BOX * node, BOX);
+        return box;
+    }
+
+    /** Sets the boxes of a node and of all below it around their triangles, which have moved. */
+    private void refit(int node, int from, int to) {
         if (hasChildren(node)) {
-            int axis = 0;
-            for (int other = 1; other < 3; other++) {
-                axis = box[2 * other + 1] - box[2 * other] > box[2 * axis + 1] - box[2 * axis] ? other : axis;
-            }
             int middle = (from + to) >>> 1;
-            split(from, to, middle, axis);
-            build(2 * node + 1, from, middle);
-            build(2 * node + 2, middle, to);
+            refit(2 * node + 1, from, middle);
+            refit(2 * node + 2, middle, to);
+            for (int end = 0; end < BOX; end++) {
+                double one = boxes[BOX * (2 * node + 1) + end];
+                double other = boxes[BOX * (2 * node + 2) + end];
+                boxes[BOX * node + end] = end % 2 == 0 ? Math.min(one, other) : Math.max(one, other);
+            }
+        } else {
+            fit(node, from, to);
         }
     }
 
@@ -222,7 +361,9 @@ final class MeshCollider {
                 near(2 * node + 2, middle, to, x, y, z, reach, found);
             } else {
                 for (int index = from; index < to; index++) {
-                    found.accept(order[index]);
+                    if (hasArea(order[index])) {
+                        found.accept(order[index]);
+                    }
                 }
             }
         }

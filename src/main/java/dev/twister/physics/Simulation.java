@@ -43,6 +43,9 @@ public final class Simulation implements AutoCloseable {
 
     private static final double TYPICAL_SHARE = 0.99;
 
+    /** Displacement of a triangle in a step that wakes bodies, in their radii. */
+    private static final double LEAST_DRIFT = 1e-5;
+
     /** Elapsed times are rounded sums: a time short of a step by less than this counts as a full step. */
     private static final double ROUNDING = 1e-9;
 
@@ -58,12 +61,14 @@ public final class Simulation implements AutoCloseable {
     private final PourRelease spout;
     private final BodyPasses survey;
     private final double limit;
+    private final double filmStart;
     private Scene scene;
     private double substep;
     private long steps;
     private double ahead;
 
-    private Simulation(Scene scene, MeshCollider mesh, int threads) {
+    private Simulation(Scene scene, MeshCollider mesh, int threads, double filmStart) {
+        this.filmStart = filmStart;
         this.scene = scene;
         this.threads = threads;
         List<Sphere> spheres = scene.allSpheres();
@@ -91,9 +96,19 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** The scene at time 0, simulated on all cores. */
+    /** The scene at time 0, simulated on all cores, with meshes at rest. */
     public static Simulation of(Scene scene, SceneMeshes meshes) {
         return of(scene, meshes, Runtime.getRuntime().availableProcessors());
+    }
+
+    /**
+     * The scene at time 0, simulated on all cores, with meshes that move by their animations and tracks.
+     *
+     * @param filmStart the simulated time at which they begin to move, in seconds
+     */
+    public static Simulation ofFilm(Scene scene, SceneMeshes meshes, double filmStart) {
+        MeshCollider mesh = MeshCollider.ofFilm(scene, meshes);
+        return new Simulation(scene, mesh, Runtime.getRuntime().availableProcessors(), filmStart);
     }
 
     /**
@@ -113,11 +128,11 @@ public final class Simulation implements AutoCloseable {
      * @throws IllegalArgumentException if one of the scene's meshes is missing
      */
     public static Simulation of(Scene scene, SceneMeshes meshes, int threads) {
-        return new Simulation(scene, MeshCollider.of(scene, meshes), threads);
+        return of(scene, MeshCollider.of(scene, meshes), threads);
     }
 
-    public static Simulation of(Scene scene, MeshCollider mesh, int threads) {
-        return new Simulation(scene, mesh, threads);
+    static Simulation of(Scene scene, MeshCollider mesh, int threads) {
+        return new Simulation(scene, mesh, threads, 0);
     }
 
     /**
@@ -137,7 +152,7 @@ public final class Simulation implements AutoCloseable {
             return this;
         }
         MeshCollider mesh = sameMeshes ? surroundings.mesh() : MeshCollider.of(edited, meshes);
-        Simulation next = new Simulation(edited, mesh, threads);
+        Simulation next = of(edited, mesh, threads);
         next.takeOver(this);
         close();
         return next;
@@ -248,8 +263,14 @@ public final class Simulation implements AutoCloseable {
         double now = steps * STEP_SECONDS;
         spout.open(now, now + STEP_SECONDS, bodies, integrator, surroundings.gravity());
         steps++;
-        if (longest >= 0 || spout.isOpen()) {
-            int parts = parts(Math.sqrt(Math.max(0, longest)) / substep);
+        MeshCollider mesh = surroundings.mesh();
+        double drift = mesh.begin(Math.max(0, steps * STEP_SECONDS - filmStart));
+        if (longest >= 0 || spout.isOpen() || drift > 0) {
+            int parts = parts(Math.max(Math.sqrt(Math.max(0, longest)) / substep, drift / STEP_SECONDS));
+            if (drift > 0) {
+                inChunks(this::rouseOnMesh);
+                mesh.divide(parts * SUBSTEPS);
+            }
             changeSubstep(STEP_SECONDS / (parts * SUBSTEPS));
             for (int part = 0; part < parts; part++) {
                 movePart();
@@ -351,6 +372,22 @@ public final class Simulation implements AutoCloseable {
             }
             solver.solve(search.giantsContacts(), 0, search.giantsContacts().count);
             inChunks(sub < SUBSTEPS ? this::moveAndAccelerate : integrator::move);
+            surroundings.mesh().advance();
+        }
+    }
+
+    /** Wakes sleeping bodies on triangles that move. */
+    private void rouseOnMesh(int from, int to) {
+        double[] n = bodies.numbers;
+        for (int body = Math.max(from, bodies.firstSphere); body < to; body++) {
+            int at = BodyStore.STRIDE * body;
+            double radius = n[at + BodyStore.RADIUS];
+            if (bodies.state[body] == BodyStore.ASLEEP
+                    && surroundings
+                            .mesh()
+                            .isMovingNear(n[at], n[at + 1], n[at + 2], (1 + MARGIN) * radius, LEAST_DRIFT * radius)) {
+                bodies.rouse(body);
+            }
         }
     }
 

@@ -2,7 +2,7 @@ package dev.twister.physics;
 
 import dev.twister.scene.Vector3;
 
-/** Contact of a body with a fixed surface: the ground, a wall or a triangle. */
+/** Contact of a body with a surface: the ground, a wall or a triangle, which may move. */
 final class SurfaceContact {
     /** Largest correction per sub-step, in radii; larger than that of pairs, as it must hold any number of bodies. */
     private static final double MOST_PUSH = 0.05;
@@ -46,19 +46,26 @@ final class SurfaceContact {
         double[] n = numbers;
         int a = meeting.first;
         int triangle = sideOfTriangle >> 1;
-        TriangleContact contact = surroundings.mesh().contact(triangle);
-        contact.meet(
-                n[a],
-                n[a + 1],
-                n[a + 2],
-                sideOfTriangle & 1,
-                n[a + BodyStore.MOVE],
-                n[a + BodyStore.MOVE + 1],
-                n[a + BodyStore.MOVE + 2]);
-        if (surroundings.mesh().isNearerAcross(triangle, contact)) {
+        MeshCollider mesh = surroundings.mesh();
+        if (!mesh.hasArea(triangle)) {
+            meeting.clear();
+            return;
+        }
+        TriangleContact contact = mesh.contact(triangle);
+        int side = sideOfTriangle & 1;
+        double[] drifts = mesh.drifts();
+        if (drifts.length > 0) {
+            contact.meet(n[a], n[a + 1], n[a + 2], side, 0, 0, 0);
+        }
+        double dx = n[a + BodyStore.MOVE] - contact.drift(drifts, 0);
+        double dy = n[a + BodyStore.MOVE + 1] - contact.drift(drifts, 1);
+        double dz = n[a + BodyStore.MOVE + 2] - contact.drift(drifts, 2);
+        contact.meet(n[a], n[a + 1], n[a + 2], side, dx, dy, dz);
+        if (mesh.isNearerAcross(triangle, contact)) {
             meeting.clear();
         } else {
             meeting.setNormal(contact.x, contact.y, contact.z);
+            meeting.setMove(dx, dy, dz);
             meet(meeting, contact.distance);
         }
     }
@@ -71,11 +78,11 @@ final class SurfaceContact {
         double outZ = n[a + 2] - surroundings.nearest(n[a + 2]);
         if (outX == 0 && outZ == 0) {
             meeting.setNormal(0, side, 0);
-            meet(meeting, side * up);
+            meetFixed(meeting, side * up);
         } else {
             double distance = Math.sqrt(outX * outX + up * up + outZ * outZ);
             meeting.setNormal(outX / distance, up / distance, outZ / distance);
-            meet(meeting, distance);
+            meetFixed(meeting, distance);
         }
     }
 
@@ -84,11 +91,19 @@ final class SurfaceContact {
         int a = meeting.first;
         double inwards = wall % 2 == 0 ? -1 : 1;
         meeting.setNormal(wall < 2 ? inwards : 0, 0, wall < 2 ? 0 : inwards);
-        meet(meeting, surroundings.halfSide() - surroundings.towardsWall(wall, n[a], n[a + 2]));
+        meetFixed(meeting, surroundings.halfSide() - surroundings.towardsWall(wall, n[a], n[a + 2]));
+    }
+
+    /** As {@link #meet}, of a surface that rests. */
+    private void meetFixed(SolvedContact meeting, double distance) {
+        double[] n = numbers;
+        int move = meeting.first + BodyStore.MOVE;
+        meeting.setMove(n[move], n[move + 1], n[move + 2]);
+        meet(meeting, distance);
     }
 
     /**
-     * Solves the contact with the surface that has the meeting's normal.
+     * Solves the contact with the surface that has the meeting's normal. The meeting's move is relative to the surface.
      *
      * @param distance signed distance of the body's center from the surface, in meters; negative behind it
      */
@@ -97,10 +112,8 @@ final class SurfaceContact {
         int a = meeting.first;
         double radius = n[a + BodyStore.RADIUS];
         double gap = distance - radius;
-        double dx = n[a + BodyStore.MOVE];
-        double dy = n[a + BodyStore.MOVE + 1];
-        double dz = n[a + BodyStore.MOVE + 2];
-        double along = dx * meeting.normalX + dy * meeting.normalY + dz * meeting.normalZ;
+        double along =
+                meeting.moveX * meeting.normalX + meeting.moveY * meeting.normalY + meeting.moveZ * meeting.normalZ;
         double old = meeting.built();
         if (old == 0 && gap + along >= 0) {
             return;
@@ -109,7 +122,6 @@ final class SurfaceContact {
         double pull = gravity.x() * meeting.normalX + gravity.y() * meeting.normalY + gravity.z() * meeting.normalZ;
         // The start of the sub-step is half a sub-step before the time of the move.
         double atStart = along - pull / 2;
-        meeting.setMove(dx, dy, dz);
         if (old == 0 && -atStart > meeting.rules.impactSpeed() + n[a + BodyStore.CARRIED]) {
             bounce(meeting, along, gap, pull, atStart);
         } else {

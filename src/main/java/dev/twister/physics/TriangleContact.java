@@ -138,6 +138,17 @@ final class TriangleContact {
         }
     }
 
+    /**
+     * The displacement of the nearest point along an axis.
+     *
+     * @param drifts those of all corners; empty if they rest
+     */
+    double drift(double[] drifts, int axis) {
+        return drifts.length == 0
+                ? 0
+                : first * drifts[at + axis] + second * drifts[at + 3 + axis] + third * drifts[at + 6 + axis];
+    }
+
     /** Whether the neighbor across the edge of the nearest point is nearer to the body's center. */
     boolean leansOver(double[] all, int triangle, int border, int other) {
         int from = 9 * triangle + 3 * border;

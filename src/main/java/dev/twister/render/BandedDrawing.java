@@ -4,6 +4,7 @@ import dev.twister.engine.ConvergingPicture.Converged;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
 import java.util.Optional;
@@ -46,12 +47,29 @@ public final class BandedDrawing {
     /** Renders the rows of the input; each has the same bits as in the whole picture. */
     public static Drawn draw(
             Engine engine, FrameInput input, Sampling sampling, boolean linear, RenderProgress progress) {
+        return draw(new Bands(engine, sampling, rowsPerBand(input, sampling)), input, linear, progress);
+    }
+
+    /** As above, in one go, for an engine that takes long to begin a band. */
+    static Drawn drawAtOnce(
+            Engine engine, FrameInput input, Sampling sampling, boolean linear, RenderProgress progress) {
+        return draw(new Bands(engine, sampling, Rendering.MAX_SIDE), input, linear, progress);
+    }
+
+    /**
+     * How bands are rendered.
+     *
+     * @param rows most rows of a band, a multiple of {@link #SQUARE}
+     */
+    private record Bands(Engine engine, Sampling sampling, int rows) {}
+
+    private static Drawn draw(Bands bands, FrameInput input, boolean linear, RenderProgress progress) {
         int first = input.firstRow() / SQUARE * SQUARE;
         int end = Math.min(input.height(), Math.ceilDiv(input.firstRow() + input.rows(), SQUARE) * SQUARE);
         if (end - first == input.rows()) {
-            return drawSquares(engine, input, sampling, linear, progress);
+            return drawSquares(bands, input, linear, progress);
         }
-        Drawn squares = drawSquares(engine, input.band(first, end - first), sampling, linear, progress);
+        Drawn squares = drawSquares(bands, input.band(first, end - first), linear, progress);
         int above = input.firstRow() - first;
         Frame rows = squares.frame().rows(above, input.rows());
         float[] samples = squares.samples().length == 0
@@ -60,14 +78,15 @@ public final class BandedDrawing {
         return new Drawn(rows, samples, squares.noise());
     }
 
-    private static Drawn drawSquares(
-            Engine engine, FrameInput input, Sampling sampling, boolean linear, RenderProgress progress) {
+    private static Drawn drawSquares(Bands drawing, FrameInput input, boolean linear, RenderProgress progress) {
+        Engine engine = drawing.engine();
+        Sampling sampling = drawing.sampling();
         int height = input.rows();
         Frame whole = linear
                 ? Frame.ofRadiance(input.width(), height, input.layers())
                 : Frame.ofPixels(input.width(), height);
         whole.stopWhen(progress::isStopped);
-        int rowsPerBand = rowsPerBand(input, sampling);
+        int rowsPerBand = Math.min(drawing.rows(), height);
         float[] samples = new float[sampling.noise().isPresent() ? input.width() * height : 0];
         double noise = 0;
         int bands = Math.ceilDiv(height, rowsPerBand);
@@ -119,7 +138,6 @@ public final class BandedDrawing {
         long rows = converges
                 ? PIXELS_PER_CONVERGING_BAND / input.width()
                 : RAYS_PER_BAND / ((long) input.width() * sampling.samples());
-        long squares = Math.max(converges ? SQUARE : MIN_ROWS, rows) / SQUARE * SQUARE;
-        return (int) Math.min(squares, input.rows());
+        return (int) Math.min(Math.max(converges ? SQUARE : MIN_ROWS, rows), Rendering.MAX_SIDE) / SQUARE * SQUARE;
     }
 }

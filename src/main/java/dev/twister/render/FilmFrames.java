@@ -23,6 +23,7 @@ final class FilmFrames {
     private final Movement movement;
     private Optional<World> far = Optional.empty();
     private Optional<Double> metered = Optional.empty();
+    private int number;
 
     FilmFrames(RenderOrder order, World world, FilmBodies bodies) {
         scene = order.scene();
@@ -37,17 +38,29 @@ final class FilmFrames {
     }
 
     /**
-     * A frame.
+     * A frame at its time, when the shutter closes.
      *
-     * @param number at least that of the previous call
+     * @param next at least that of the previous call
      * @throws IOException if the bodies' positions cannot be read
      */
-    FrameInput frame(int number) throws IOException {
-        Scene now = movement.scene().apply(number / movement.rate());
+    FrameInput frame(int next) throws IOException {
+        number = next;
+        bodies.advance(number);
+        return at(1);
+    }
+
+    /**
+     * The last frame at a moment while the shutter is open.
+     *
+     * @param part of that time, in [0, 1]; 1 is the frame's own
+     */
+    FrameInput at(double part) {
+        double earlier = movement.shutter() * (1 - part);
+        Scene now = movement.scene().apply((number - earlier) / movement.rate());
         World near = near(now.camera());
         near.show(metered.map(stops -> now.withRendering(now.rendering().withExposure(stops)))
                 .orElse(now));
-        bodies.place(near, number);
+        bodies.place(near, 1 - earlier);
         near.placeLights();
         return near.snapshot();
     }

@@ -19,20 +19,27 @@ import dev.twister.world.TonedPixels;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 
 /** Renders the pictures of an order one after the other with the same engine. */
 final class PictureDrawing implements AutoCloseable {
     private final RenderOrder order;
     private final Optional<LightGroups> lightGroups;
+    private final DoubleFunction<FrameInput> moments;
     private final FrameDigest digest = new FrameDigest();
     private Optional<Engine> engine = Optional.empty();
     private Optional<Denoiser> denoiser = Optional.empty();
 
-    /** @param lightGroups of the scene; used if the order has light layers */
-    PictureDrawing(RenderOrder order, Supplier<LightGroups> lightGroups) {
+    /**
+     * @param lightGroups of the scene; used if the order has light layers
+     * @param moments the present frame at a part of the time in which the shutter is open, in [0, 1]
+     */
+    PictureDrawing(RenderOrder order, Supplier<LightGroups> lightGroups, DoubleFunction<FrameInput> moments) {
         this.order = order;
+        this.moments = moments;
         this.lightGroups = order.finishing().lightLayers() ? Optional.of(lightGroups.get()) : Optional.empty();
     }
 
@@ -53,9 +60,19 @@ final class PictureDrawing implements AutoCloseable {
                 software,
                 digest.of(
                         whole.withSamples(0, 1),
-                        software + " " + drawn + order.finishing().text()),
+                        software + " " + drawn + order.finishing().text() + shutterText()),
                 order.part().samplesText().orElse(order.sampling().text()),
                 order.pictures().getFirst().isColor() ? Optional.of(FileDisplay.of(whole)) : Optional.empty());
+    }
+
+    /** What moves while the shutter is open, by two moments before the frame's own; empty if nothing is blurred. */
+    private String shutterText() {
+        return order.movement().isBlurred()
+                ? DoubleStream.of(0, 0.5)
+                        .mapToObj(part -> digest.of(moments.apply(part).withSamples(0, 1), ""))
+                        .collect(Collectors.joining(
+                                " ", " shutter " + order.movement().shutter() + " ", ""))
+                : "";
     }
 
     /** Renders the order's pictures of a frame, or the part of them that it asks for. */
@@ -63,7 +80,7 @@ final class PictureDrawing implements AutoCloseable {
         FrameInput input = order.part().of(whole);
         List<RenderedView> drawn = new ArrayList<>();
         for (StageOrView wanted : order.pictures()) {
-            drawn.add(draw(wanted, input.showing(wanted), progress));
+            drawn.add(draw(wanted, input, progress));
         }
         return drawn;
     }
@@ -72,11 +89,31 @@ final class PictureDrawing implements AutoCloseable {
         boolean guided = order.finishing().guides(wanted);
         boolean cut = order.output().isCut() && Finishing.isFull(wanted);
         boolean asRadiance = order.output().isLinear() || !wanted.isColor() || guided || cut;
-        FrameInput layered = guided ? lightGroups.map(input::withLightLayers).orElseGet(input::withGuides) : input;
-        FrameInput shown = cut ? layered.withoutBackground() : layered;
-        BandedDrawing.Drawn picture = BandedDrawing.draw(engine(), shown, order.sampling(), asRadiance, progress);
+        FrameInput shown = showing(wanted, input);
+        // The mean of the numbers of two bodies is the number of a third.
+        BandedDrawing.Drawn picture = order.movement().isBlurred() && !wanted.isNumber()
+                ? blurred(wanted, shown, asRadiance, progress)
+                : BandedDrawing.draw(engine(), shown, order.sampling(), asRadiance, progress);
         List<ExrChannel> samples = samples(picture.samples());
         return guided || cut ? finished(wanted, shown, picture, samples) : new RenderedView(wanted, picture, samples);
+    }
+
+    private FrameInput showing(StageOrView wanted, FrameInput input) {
+        FrameInput shown = input.showing(wanted);
+        boolean guided = order.finishing().guides(wanted);
+        FrameInput layered = guided ? lightGroups.map(shown::withLightLayers).orElseGet(shown::withGuides) : shown;
+        return order.output().isCut() && Finishing.isFull(wanted) ? layered.withoutBackground() : layered;
+    }
+
+    private BandedDrawing.Drawn blurred(
+            StageOrView wanted, FrameInput shown, boolean asRadiance, RenderProgress progress) {
+        Sampling sampling = order.sampling();
+        Engine shutter = new ShutterEngine(engine(), part -> showing(wanted, moments.apply(part)), samples -> {
+            if (!sampling.isGradual()) {
+                progress.part(engine().id(), (double) samples / sampling.samples(), Optional.empty());
+            }
+        });
+        return BandedDrawing.drawAtOnce(shutter, shown, sampling, asRadiance, progress);
     }
 
     /** The number of samples of each pixel, if they differ and there is one picture alone. */

@@ -48,8 +48,14 @@ public record RenderOrder(
      *
      * @param scene of the order at a time in seconds; physics may move its spheres elsewhere
      * @param rate frames per second
+     * @param shutter how long the shutter is open before a frame's time, as a fraction of a frame; 0 if nothing moves
      */
-    public record Movement(BodyMotion bodies, DoubleFunction<Scene> scene, double rate) {}
+    public record Movement(BodyMotion bodies, DoubleFunction<Scene> scene, double rate, double shutter) {
+        /** Whether moving things are blurred. */
+        public boolean isBlurred() {
+            return shutter > 0;
+        }
+    }
 
     /** Where the bodies' positions in each frame come from. */
     public sealed interface BodyMotion {

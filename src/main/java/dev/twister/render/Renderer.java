@@ -51,13 +51,14 @@ public final class Renderer {
         // Told at once, not after minutes of simulation.
         order.engine().check();
         order.finishing().denoiser().ifPresent(DenoiserOffer::check);
-        BodyMotion motion = order.movement().bodies();
-        try (PictureDrawing drawing = new PictureDrawing(order, world::lightGroups);
-                FilmBodies bodies = FilmBodies.of(motion, order.scene(), world.meshes(), progress)) {
-            Renderer rendering = new Renderer(order, progress, drawing, new FilmFrames(order, world, bodies));
-            rendering.setExposure();
-            progress.begin();
-            return rendering.render();
+        try (FilmBodies bodies = FilmBodies.of(order.movement(), order.scene(), world.meshes(), progress)) {
+            FilmFrames frames = new FilmFrames(order, world, bodies);
+            try (PictureDrawing drawing = new PictureDrawing(order, world::lightGroups, frames::at)) {
+                Renderer rendering = new Renderer(order, progress, drawing, frames);
+                rendering.setExposure();
+                progress.begin();
+                return rendering.render();
+            }
         }
     }
 
@@ -66,7 +67,10 @@ public final class Renderer {
         RenderOutput output = order.output();
         // Without background, linear colors and alpha.
         long cut = output.isCut() ? 2 * BandedDrawing.bytesPerPixel(true) : 0;
-        long finishing = order.finishing().bytesPerPixel() + cut;
+        long layers = order.finishing().bytesPerPixel() + cut;
+        // Bands take less, but a blurred picture is rendered in one go, by sums of halves, their sum and a pass.
+        long blurred = order.movement().isBlurred() ? 4 * (layers + BandedDrawing.bytesPerPixel(true)) : 0;
+        long finishing = layers + blurred;
         if (output.isFilm()) {
             return (1L + FilmWriting.WAITING) * BandedDrawing.bytesPerPixel(false) + finishing;
         }

@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import dev.twister.scene.material.Alpha;
 import dev.twister.scene.material.Attenuation;
 import dev.twister.scene.material.Emission;
+import dev.twister.scene.material.Finish;
 import dev.twister.scene.material.Maps;
 import dev.twister.scene.material.Reflectance;
 import dev.twister.scene.property.Copied;
@@ -31,6 +32,7 @@ import java.util.Set;
  * @param attenuation what light loses inside
  * @param alpha its opacity, of a mesh alone
  * @param maps images that vary its properties
+ * @param finish what path tracing alone shows of it
  * @param unlit whether it shows its color as it is, without light
  */
 @Copied
@@ -49,6 +51,7 @@ public record Material(
         Attenuation attenuation,
         Alpha alpha,
         Maps maps,
+        Finish finish,
         boolean unlit)
         implements MaterialCopy.With {
     /** Of a smooth metal, without path tracing. */
@@ -70,6 +73,7 @@ public record Material(
             Attenuation.NONE,
             Alpha.OPAQUE,
             Maps.NONE,
+            Finish.NONE,
             false);
 
     public Material {
@@ -80,6 +84,7 @@ public record Material(
         requireNonNull(attenuation, "attenuation");
         requireNonNull(alpha, "alpha");
         requireNonNull(maps, "maps");
+        requireNonNull(finish, "finish");
         if (reflectance == Reflectance.CONSTANT && reflectivity > 0) {
             reflectance = Reflectance.MIXED;
         }
@@ -93,22 +98,30 @@ public record Material(
         return withTexture(Optional.empty());
     }
 
-    /** The files of its texture and its maps. */
+    /** The files of its texture and all its maps. */
     public Set<Path> images() {
         Set<Path> files = new LinkedHashSet<>();
         texture.ifPresent(files::add);
         maps.all().forEach(map -> files.add(map.file()));
+        finish.maps().forEach(map -> files.add(map.file()));
         return files;
     }
 
     /** Without texture and maps, as on a mesh without texture coordinates. */
     public Material withoutImages() {
-        return withoutTexture().withMaps(Maps.NONE);
+        return withoutTexture().withMaps(Maps.NONE).withFinish(finish.withoutMaps());
     }
 
     /** Whether, in path tracing, Fresnel's equations decide what it reflects: glTF's material, without reflectivity. */
     public boolean isByFresnel() {
-        return reflectivity == 0 && reflectance != Reflectance.CONSTANT && (metallic > 0 || roughness > 0);
+        return reflectivity == 0
+                && reflectance != Reflectance.CONSTANT
+                && (metallic > 0 || roughness > 0 || !finish.isNone());
+    }
+
+    /** Whether path tracing shows a finish, which only a material has whose reflections Fresnel's equations decide. */
+    public boolean hasFinish() {
+        return isByFresnel() && !unlit && !finish.isNone();
     }
 
     /** Whether, in path tracing, a metal is mixed with a constant reflection. */

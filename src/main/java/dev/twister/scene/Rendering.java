@@ -20,6 +20,8 @@ import dev.twister.scene.property.SceneProperties;
  * @param integrator how light is followed
  * @param clamp for path tracing: limit of the luminance of light that reaches the eye over more than one surface; 0 for
  *     none
+ * @param shutter how long the shutter is open before a frame's time, as a fraction of a frame, 0 to 1; 0 for no motion
+ *     blur
  */
 @Copied
 public record Rendering(
@@ -32,7 +34,8 @@ public record Rendering(
         ToneMap toneMap,
         boolean srgb,
         Integrator integrator,
-        double clamp)
+        double clamp,
+        double shutter)
         implements RenderingCopy.With {
     public static final int MAX_SIDE = 16384;
     public static final int MAX_SHADOW_SAMPLES = 1024;
@@ -41,9 +44,11 @@ public record Rendering(
     public static final double MAX_EXPOSURE_STOPS = 20;
     public static final double DEFAULT_CLAMP = 10;
 
-    /** 1280 x 720, 200 shadow samples and 3 bounces as in the paper, clamped, with the sRGB curve. */
+    /**
+     * 1280 x 720, 200 shadow samples and 3 bounces as in the paper, clamped, with the sRGB curve, without motion blur.
+     */
     public static final Rendering DEFAULT =
-            new Rendering(1280, 720, 200, 3, 1, 0, ToneMap.CLAMP, true, Integrator.WHITTED, DEFAULT_CLAMP);
+            new Rendering(1280, 720, 200, 3, 1, 0, ToneMap.CLAMP, true, Integrator.WHITTED, DEFAULT_CLAMP, 0);
 
     public Rendering {
         requireNonNull(toneMap, "toneMap");

@@ -156,9 +156,12 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
     }
 
     private int materials() {
-        int none = tracesPaths() ? Variant.MATERIALS : 0;
-        return none
-                | (bodies.firstMesh() == Layout.NO_MESHES ? bodies.materials() & ~Variant.MASKS : bodies.materials());
+        boolean meshes = bodies.firstMesh() != Layout.NO_MESHES;
+        int shown = meshes ? bodies.materials() : bodies.materials() & ~Variant.MASKS;
+        int finish = shown & Variant.FINISH;
+        // Normals and tangents of a finish are those of maps.
+        int traced = shown | Variant.MATERIALS | (finish == 0 ? 0 : Variant.MAPS);
+        return tracesPaths() ? traced : shown - finish;
     }
 
     /**

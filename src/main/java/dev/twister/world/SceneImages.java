@@ -1,6 +1,10 @@
 package dev.twister.world;
 
+import dev.twister.mesh.MeshPart;
+import dev.twister.scene.Integrator;
+import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
 import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
@@ -10,8 +14,12 @@ import dev.twister.sky.TextureReader;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /**
  * The images that a scene refers to.
@@ -54,6 +62,9 @@ public record SceneImages(Skybox sky, Map<Path, TextureImage> textureByFile) {
      */
     public static SceneImages read(Scene scene, Skybox sky, SceneMeshes meshes, Consumer<String> warnings) {
         HiddenTextures.of(scene, meshes).forEach(warnings);
+        if (scene.rendering().integrator() == Integrator.WHITTED) {
+            hiddenFinishes(scene, meshes).ifPresent(warnings);
+        }
         return new SceneImages(
                 sky,
                 textures(
@@ -63,6 +74,23 @@ public record SceneImages(Skybox sky, Map<Path, TextureImage> textureByFile) {
                                 .map(bytes -> TextureReader.read(file, bytes, warnings))
                                 .orElseGet(() -> TextureReader.read(file, warnings)),
                         warnings));
+    }
+
+    /** A line that names what path tracing alone shows of the materials, if that is anything. */
+    private static Optional<String> hiddenFinishes(Scene scene, SceneMeshes meshes) {
+        Stream<Material> ofMeshes = scene.meshes().stream()
+                .flatMap(mesh -> mesh.material()
+                        .map(Stream::of)
+                        .orElseGet(() -> meshes.file(mesh).parts().stream().map(MeshPart::material)));
+        Stream<Material> others = Stream.concat(
+                Stream.of(scene.ground().material()), scene.spheres().stream().map(Sphere::material));
+        Set<String> names = new TreeSet<>();
+        Stream.concat(others, ofMeshes)
+                .filter(Material::hasFinish)
+                .forEach(material -> names.addAll(material.finish().parts()));
+        return names.isEmpty()
+                ? Optional.empty()
+                : Optional.of("not shown without path tracing: " + String.join(", ", names) + "; try --integrator path");
     }
 
     /**

@@ -310,9 +310,22 @@ public final class SceneMeshes {
         return holds(mesh) ? loaded(mesh).file().clipSeconds(mesh.animation()) : 0;
     }
 
+    /** The names of the animations of a mesh's file, see {@link MeshFile#clips}; none until it has been read. */
+    public List<String> clips(Mesh mesh) {
+        return holds(mesh) ? loaded(mesh).file().clips() : List.of();
+    }
+
     /** The content of a mesh's file, at the start of its animation. */
     public MeshFile file(Mesh mesh) {
         return loaded(mesh).file();
+    }
+
+    /** The same, whatever the animation's start is. */
+    public MeshFile posedFile(Mesh mesh) {
+        return rest.orElse(this)
+                .loaded(mesh.withAnimation(MeshAnimation.NONE))
+                .file()
+                .posed(mesh.animation());
     }
 
     /**

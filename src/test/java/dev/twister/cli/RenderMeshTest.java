@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.image.HdrWriter;
 import dev.twister.image.Provenance;
+import dev.twister.mesh.gltf.AnimatedGltf;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -63,6 +64,26 @@ class RenderMeshTest {
         for (int pixel = 0; pixel < 32 * 18; pixel++) {
             assertThat(picture.getRGB(pixel % 32, pixel / 32) & 0xFFFFFF).isZero();
         }
+    }
+
+    /** A camera that goes away from a mesh at rest. */
+    @Test
+    void aMovingCameraCarriesItsView() throws IOException {
+        AnimatedGltf gltf = new AnimatedGltf();
+        int times = gltf.accessor("SCALAR", 0, 1);
+        int places = gltf.accessor("VEC3", 0, 0, 2, 0, 0, 12);
+        String text = gltf.nodes(",{\"camera\":0}")
+                .channel(1, "translation", "LINEAR", times, places)
+                .text(",\"cameras\":[{\"perspective\":{\"yfov\":1}}]");
+        String mesh = Files.writeString(folder.resolve("a.gltf"), text).toString();
+        String[] end = {"--camera-view", "camera", "--time", "1"};
+        byte[] near = bytes(render(mesh, "near.png", "--camera-view", "camera"));
+
+        assertThat(bytes(render(mesh, "start.png", "--camera-view", "camera", "--time", "0")))
+                .isEqualTo(near);
+        assertThat(bytes(render(mesh, "end.png", end))).isNotEqualTo(near);
+        assertThat(bytes(render(mesh, "fixed.png", "--camera-view", "camera", "--yaw", "0", "--time", "1")))
+                .isEqualTo(bytes(render(mesh, "fixed-start.png", "--camera-view", "camera", "--yaw", "0")));
     }
 
     @Test

@@ -7,6 +7,7 @@ import dev.twister.gui.rendering.FilmMotion;
 import dev.twister.gui.rendering.RenderJob;
 import dev.twister.gui.rendering.WindowOrder;
 import dev.twister.gui.rendering.WindowOrder.FilmPlan;
+import dev.twister.gui.rendering.WindowOrder.MovingScene;
 import dev.twister.physics.Simulation;
 import dev.twister.render.FrameRange;
 import dev.twister.render.RenderOrder;
@@ -16,11 +17,13 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.format.SceneWriter;
+import dev.twister.world.Animation;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.StageOrView;
 import dev.twister.world.World;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -106,6 +109,29 @@ class WindowFilesTest {
         assertThat(file).hasSameBinaryContentAs(command("a.png", "--physics", "--start", "0.5"));
     }
 
+    @Test
+    void framesAreBlurred() {
+        Scene scene = withPath(scene("teaching"));
+        Scene blurred = scene.withRendering(scene.rendering().withShutter(0.5));
+        Path file = film(blurred, FilmMotion.KEYFRAMES_AND_PHYSICS, FrameRange.of(3, 3), "f.exr");
+
+        Path same = command("f.exr", "--physics", "--fps", "10", "--frames", "3-3");
+        assertThat(file).hasSameBinaryContentAs(same.resolveSibling("f-0003.exr"));
+    }
+
+    @Test
+    void picturesOfFilmsAreBlurred() {
+        Scene scene = withPath(scene("teaching"));
+        Scene blurred = scene.withRendering(scene.rendering().withShutter(0.5));
+        MovingScene moving = new MovingScene(later -> Animation.at(blurred, 0.7 + later), RATE);
+        Path file = render(WindowOrder.picture(
+                moving, StageOrView.BEAUTY, Engines.offer(ENGINE), Optional.empty(), folder.resolve("a.png")));
+
+        assertThat(file).hasSameBinaryContentAs(command("a.png", "--time", "0.7", "--fps", "10"));
+        assertThat(command("b.png", "--time", "0.7", "--fps", "10", "--shutter", "0"))
+                .satisfies(sharp -> assertThat(Files.mismatch(file, sharp)).isNotNegative());
+    }
+
     private static Scene scene(String name) {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json").toAbsolutePath());
         return scene.withRendering(
@@ -131,7 +157,8 @@ class WindowFilesTest {
     }
 
     private Path render(Scene scene, StageOrView picture, Optional<FrameInput> seen, String name) {
-        return render(WindowOrder.picture(scene, picture, Engines.offer(ENGINE), seen, folder.resolve(name)));
+        MovingScene still = new MovingScene(_ -> scene, RATE);
+        return render(WindowOrder.picture(still, picture, Engines.offer(ENGINE), seen, folder.resolve(name)));
     }
 
     /** Renders as the window does, and saves the scene. */

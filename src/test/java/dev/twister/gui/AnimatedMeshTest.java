@@ -16,6 +16,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import javafx.scene.Node;
+import javafx.scene.control.ComboBox;
 import javafx.scene.control.Slider;
 import javafx.scene.layout.Pane;
 import org.junit.jupiter.api.AfterAll;
@@ -109,5 +111,36 @@ class AnimatedMeshTest {
         driver.await(() -> driver.studio.film().length() == 4);
         driver.await(() -> driver.find("#film-slider", Slider.class).getMax() >= 4);
         assertThat(driver.find("#animation-speed", PanelRow.class).isVisible()).isTrue();
+    }
+
+    private static boolean has(String selector) {
+        return driver.find(selector, Node.class) != null;
+    }
+
+    @Test
+    @SuppressWarnings("unchecked") // a row's items are of one class
+    void theAnimationIsAChoice() {
+        driver.run(() -> driver.studio.selection().select(List.of(MESH)));
+        driver.await(() -> has("#animation .combo-box"));
+        ComboBox<String> box = driver.find("#animation .combo-box", ComboBox.class);
+        assertThat(WindowDriver.call(box::getItems)).containsExactly("", "move");
+        assertThat(WindowDriver.call(box::getValue)).isEqualTo("move");
+
+        driver.run(() -> box.setValue(""));
+
+        driver.await(() -> driver.studio.film().length() == 0);
+        assertThat(WindowDriver.call(driver.studio::scene).meshes().getFirst().animation())
+                .isEqualTo(MeshAnimation.NONE);
+        driver.await(() -> !has("#animation-speed"));
+
+        driver.run(() -> driver.find("#animation .combo-box", ComboBox.class).setValue("move"));
+
+        driver.await(() -> driver.studio.film().length() == 2);
+        driver.await(() -> has("#animation-speed"));
+        assertThat(has("#animation-loop")).isTrue();
+        driver.run(driver.studio::undo);
+        driver.run(driver.studio::undo);
+        assertThat(WindowDriver.call(driver.studio::scene).meshes().getFirst().animation())
+                .isEqualTo(MeshAnimation.of("move"));
     }
 }

@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.kernel.Layout;
+import dev.twister.mesh.gltf.AnimatedGltf;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.MeshAnimation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.property.BodyProperties;
 import dev.twister.scene.property.CameraProperties;
@@ -14,6 +16,7 @@ import dev.twister.scene.property.LightProperties;
 import dev.twister.scene.property.MaterialProperties;
 import dev.twister.scene.property.Property;
 import dev.twister.scene.property.SceneProperties;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -22,6 +25,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Every property of a scene can be set in the window and is described. */
 class PropertyRowsTest {
@@ -32,6 +36,9 @@ class PropertyRowsTest {
             "type", "a light's kind is chosen where it is added");
 
     private static final List<String> ENDINGS = List.of("", " x", " y", " z", " yaw", " pitch", " roll");
+
+    @TempDir
+    private Path folder;
 
     @Test
     void everyPropertyHasARowAndALineInTheDescription() throws Exception {
@@ -56,6 +63,8 @@ class PropertyRowsTest {
                         BodyProperties.MESH,
                         List.of(BodyProperties.SMOOTH, BodyProperties.ODD_COLOR),
                         BodyProperties.PLANE,
+                        List.of(BodyProperties.ANIMATION_NAME),
+                        BodyProperties.ANIMATION,
                         SceneProperties.SKY,
                         SceneProperties.SHADING,
                         SceneProperties.RENDERING,
@@ -64,13 +73,18 @@ class PropertyRowsTest {
     }
 
     /** The names of the rows of all kinds of bodies. */
-    private static Set<String> rows() {
+    private Set<String> rows() throws IOException {
         Scene tiny = WindowScenes.tiny();
         Path vase = Path.of("scenes", "meshes", "vase.obj").toAbsolutePath().normalize();
-        Scene scene = tiny.withMeshes(List.of(Mesh.of(vase).withMaterial(Material.DEFAULT)));
+        Files.writeString(folder.resolve("a.gltf"), AnimatedGltf.example());
+        Mesh moving = Mesh.of(folder.resolve("a.gltf")).withAnimation(MeshAnimation.of("move"));
+        Scene scene = tiny.withMeshes(
+                List.of(Mesh.of(vase).withMaterial(Material.DEFAULT), moving.withMaterial(Material.DEFAULT)));
         Set<String> names = new TreeSet<>();
         try (WindowDriver driver = WindowDriver.open(scene, BlockEngine.offer())) {
-            for (int body : new int[] {Layout.FIRST_SPHERE, BodyNumber.ofMesh(0), BodyNumber.PLANE}) {
+            driver.await(() -> driver.studio.bodies().meshes().holds(moving));
+            for (int body :
+                    new int[] {Layout.FIRST_SPHERE, BodyNumber.ofMesh(0), BodyNumber.ofMesh(1), BodyNumber.PLANE}) {
                 driver.run(() -> driver.studio.selection().select(body));
                 driver.pulse();
                 WindowDriver.call(() -> driver.window.workbench().panel().rows().stream()

@@ -95,7 +95,12 @@ class LobesTest {
             double turn = 2 * Math.PI * random.nextDouble();
             double level = Math.sqrt(1 - z * z);
             density += Lobes.evaluate(
-                    path, (float) (level * Math.cos(turn)), (float) (level * Math.sin(turn)), (float) z, looks);
+                    path,
+                    (float) (level * Math.cos(turn)),
+                    (float) (level * Math.sin(turn)),
+                    (float) z,
+                    looks,
+                    Variant.MATERIALS);
             for (int channel = 0; channel < 3; channel++) {
                 scattered[channel] += path[Layout.SCATTERED + channel];
             }
@@ -140,14 +145,14 @@ class LobesTest {
     void densityIsTheSameInBothDirections() {
         Surfaces coated = new Surfaces(0, 0.5f, 0, 1.5f, -1.5f, 0, 0.6f);
         start(coated, 0.8f);
-        Lobes.evaluate(path, 0.48f, 0.64f, 0.6f, looks);
+        Lobes.evaluate(path, 0.48f, 0.64f, 0.6f, looks, Variant.MATERIALS);
         float there = path[Layout.SCATTERED] / 0.6f;
         start(new Surfaces(0, 0.5f, 0, 1.5f, -1.5f, 0, 0.6f), 0.8f);
         path[Layout.DIRECTION] = -0.48f;
         path[Layout.DIRECTION + 1] = -0.64f;
         path[Layout.DIRECTION + 2] = -0.6f;
-        Lobes.prepare(path, BODY, frame, looks, Variant.MATERIALS);
-        Lobes.evaluate(path, -0.8f, 0, 0.6f, looks);
+        Lobes.prepare(path, BODY, BOUNCE, frame, looks, Variant.MATERIALS);
+        Lobes.evaluate(path, -0.8f, 0, 0.6f, looks, Variant.MATERIALS);
         assertThat(path[Layout.SCATTERED] / 0.6f).isCloseTo(there, within(1e-4f * there));
     }
 
@@ -184,7 +189,7 @@ class LobesTest {
     private void choose(Surfaces surface, float albedo, int number) {
         start(surface, albedo);
         frame[Layout.FIRST_SAMPLE] = number;
-        Lobes.choose(path, BOUNCE, frame, looks);
+        Lobes.choose(path, BOUNCE, frame, looks, Variant.MATERIALS);
     }
 
     /** A ray in the plane y = 0 that meets a surface with the normal (0, 0, 1). */
@@ -208,6 +213,6 @@ class LobesTest {
             path[Layout.ALBEDO + channel] = albedo < 1 ? albedo / (1 + channel * 0.5f) : albedo;
             path[Layout.THROUGHPUT + channel] = 1;
         }
-        Lobes.prepare(path, BODY, frame, looks, Variant.MATERIALS);
+        Lobes.prepare(path, BODY, BOUNCE, frame, looks, Variant.MATERIALS);
     }
 }

@@ -4,8 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIOException;
 
 import dev.twister.physics.Simulation;
+import dev.twister.scene.Keyframe;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Shading;
+import dev.twister.scene.Shape;
+import dev.twister.scene.Track;
+import dev.twister.scene.TrackTarget;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.SceneMeshes;
@@ -15,6 +20,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -108,6 +114,21 @@ class MotionFileTest {
         try (MotionFile motion = MotionFile.open(file, edited)) {
             assertThat(motion.lastFrame()).isZero();
         }
+    }
+
+    @Test
+    void tracksThatMoveMeshesAreOfTheMotion() throws IOException {
+        record(0, 1);
+        Scene with = SCENE.withMeshes(List.of(Mesh.of(Shape.of(Shape.Kind.BOX, 1))));
+        Track ofSphere = Track.of(TrackTarget.sphere(0), "position", Keyframe.of(0, Vector3.ZERO));
+        Track color = Track.of(TrackTarget.mesh(0), "color", Keyframe.of(0, new Vector3(1, 0, 0)));
+        Track turn = Track.of(TrackTarget.mesh(0), "rotation", Keyframe.of(0, new Vector3(9, 0, 0)));
+
+        try (MotionFile motion = MotionFile.open(file, SCENE.withTracks(List.of(ofSphere)))) {
+            assertThat(motion.lastFrame()).isZero();
+        }
+        assertThat(MotionDigest.of(with.withTracks(List.of(color)))).isEqualTo(MotionDigest.of(with));
+        assertThat(MotionDigest.of(with.withTracks(List.of(turn)))).isNotEqualTo(MotionDigest.of(with));
     }
 
     @Test

@@ -89,7 +89,7 @@ class FilmFramesTest {
     }
 
     private FilmFrames film(DoubleFunction<Scene> at) {
-        Movement movement = new Movement(new BodyMotion.Still(), at, 1);
+        Movement movement = new Movement(new BodyMotion.Still(), at, 1, 0);
         RenderOrder order = new RenderOrder(
                 scene,
                 NO_ENGINE,

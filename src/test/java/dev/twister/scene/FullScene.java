@@ -64,7 +64,7 @@ public final class FullScene {
                                 Tag.NONE))),
                 new Sky(Path.of("sky.hdr"), 30, 1.5),
                 new Shading(0.3),
-                new Rendering(40, 30, 4, 3, 2, 0.5, ToneMap.ACES, true, Integrator.PATH, 25),
+                new Rendering(40, 30, 4, 3, 2, 0.5, ToneMap.ACES, true, Integrator.PATH, 25, 0.5),
                 new Physics(new Vector3(0.5, -9, 0.25), 0.5, 0.3, 0.1, true, true),
                 Optional.of(
                         new Pour(3, 4, new Vector3(0.5, 2.5, 0.5), 0.5, 2, 0.1, 0.2, Palette.DUSK, material(0, 30), 7)),

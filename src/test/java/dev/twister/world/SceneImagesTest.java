@@ -11,12 +11,15 @@ import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPart;
 import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Ground;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.material.Finish;
+import dev.twister.scene.material.ImageMap;
 import dev.twister.sky.FloatImages;
 import dev.twister.sky.PngBytes;
 import dev.twister.sky.SkyException;
@@ -26,6 +29,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -117,6 +121,39 @@ class SceneImagesTest {
                 .isInstanceOf(SkyException.class)
                 .hasMessage(
                         "$.plane.texture: " + sky + ": a Radiance picture, but a texture must be PNG, JPEG or WebP");
+    }
+
+    @Test
+    void namesWhatPathTracingAloneShows() {
+        Finish coated = Finish.NONE.withClearcoat(Finish.NONE.clearcoat().withPart(1));
+        Finish both = coated.withDispersion(0.3);
+        Scene scene = Scene.under(sky)
+                .withSpheres(List.of(
+                        BALL.withMaterial(Material.DEFAULT.withFinish(coated)),
+                        BALL.withMaterial(Material.DEFAULT.withFinish(both)),
+                        BALL.withMaterial(Material.DEFAULT
+                                .withReflectivity(9)
+                                .withFinish(Finish.NONE.withFilm(
+                                        Finish.NONE.film().withPart(1))))));
+
+        SceneImages.read(scene, SceneMeshes.NONE, warnings::add);
+        SceneImages.read(
+                scene.withRendering(scene.rendering().withIntegrator(Integrator.PATH)),
+                SceneMeshes.NONE,
+                warnings::add);
+
+        assertThat(warnings)
+                .containsExactly("not shown without path tracing: clearcoat, dispersion; try --integrator path");
+    }
+
+    @Test
+    void namesTheFieldOfAMapThatIsMissing() {
+        Finish coated = Finish.NONE.withClearcoat(
+                Finish.NONE.clearcoat().withMap(Optional.of(ImageMap.of(folder.resolve("none.png")))));
+        Scene scene = Scene.under(sky).withSpheres(List.of(BALL.withMaterial(Material.DEFAULT.withFinish(coated))));
+
+        assertThatThrownBy(() -> SceneImages.read(scene, warnings::add))
+                .hasMessageStartingWith("$.spheres[0].clearcoatMap: ");
     }
 
     private static Ground plane(Path texture) {

@@ -63,7 +63,7 @@ class WorldTest {
         assertThat(looks(input, Layout.FIRST_SPHERE))
                 .containsExactly(
                         0.1f, 0.2f, 0.3f, 40, 0.41f, 0.42f, 1.43f, 1, 0.44f, -1, 1, 2, 3, 0, 1, 0.5f, 1, 0, 0, 0, 40, 0,
-                        0, 0, 0, 0, 0, 0, 0, 0);
+                        0, 0, 0, 0, 0, 0, 0, 0, 0);
         assertThat(input.images())
                 .startsWith(70, 71, 72, 73, 74, 75, 0)
                 .hasSize(Layout.ALIGNMENT + 3)

@@ -36,12 +36,14 @@ import dev.twister.render.Finishing;
 import dev.twister.render.FrameRange;
 import dev.twister.render.PictureFormat;
 import dev.twister.render.RenderOrder;
+import dev.twister.render.RenderOrder.Movement;
 import dev.twister.render.RenderOutput;
 import dev.twister.render.RenderResult;
 import dev.twister.render.Renderer;
 import dev.twister.render.Renderer.BlackPictureException;
 import dev.twister.render.Sampling;
 import dev.twister.render.SceneInputs;
+import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.select.VisibleBodies;
@@ -232,13 +234,18 @@ final class RenderCommand implements Callable<Integer> {
         Scene scene = mesh.isPresent()
                 ? mesh.get().under(sky.over(mesh.get().scene()).sky())
                 : sky.over(VisibleBodies.of(SceneFiles.read(file)));
+        // A camera of the model's file carries the view that is asked for.
+        List<CameraKeyframe> path =
+                mesh.flatMap(shown -> camera.viewAlone().map(shown::path)).orElse(List.of());
+        Scene seen = scene.withCamera(
+                path.isEmpty() ? camera.over(scene) : camera.over(scene).withKeyframes(path));
         PrintWriter err = spec.commandLine().getErr();
         Optional<MotionFile> recorded = film.open(scene);
         try {
             // The length of a film depends on animations; otherwise options are checked before long files are read.
             Optional<SceneMeshes> meshes = mesh.map(ModelFile::meshes)
                     .or(() -> Optional.of(scene).filter(Animation::isOfMeshes).map(read -> SkyFiles.meshes(read, err)));
-            RenderOrder order = order(scene, meshes.orElse(SceneMeshes.NONE), picture, recorded);
+            RenderOrder order = order(seen, meshes.orElse(SceneMeshes.NONE), picture, recorded);
             PictureOutput.checkKeeps(order.output(), SceneInputs.of(file, scene));
             SizeCheck.check(order.size(), Renderer.bytesPerPixel(order));
             Scene shown = order.scene();
@@ -259,21 +266,28 @@ final class RenderCommand implements Callable<Integer> {
     private RenderOrder order(Scene scene, SceneMeshes meshes, Path picture, Optional<MotionFile> recorded)
             throws IOException {
         Rendering settings = settings(scene.rendering());
-        Scene shown =
-                tone.fixed(camera.fixed(scene.withCamera(camera.over(scene)))).withRendering(settings);
+        Scene shown = tone.fixed(camera.fixed(scene)).withRendering(settings);
         Optional<FrameRange> frames = film.frames(shown, meshes, motion, recorded, picture);
         if (frames.isEmpty()) {
-            film.checkSingle();
+            film.checkSingle(motion);
         }
         part.check(settings.height());
         Sampling usual = samples.over(settings.samplesPerPixel());
+        int samples = part.samplesOr(usual.samples());
+        Movement movement = film.movement(shown, motion, recorded, frames.isPresent());
+        if (movement.isBlurred() && samples == 1) {
+            spec.commandLine()
+                    .getErr()
+                    .println("twister: a shutter needs several samples per pixel, but there is 1, which shows one"
+                            + " moment; give --samples 16 or more");
+        }
         return new RenderOrder(
                 shown,
                 Engines.offer(engineId),
                 views.pictures(),
-                new Sampling(part.samplesOr(usual.samples()), usual.noise()),
+                new Sampling(samples, usual.noise()),
                 part.part(),
-                film.movement(shown, motion, recorded, frames.isPresent()),
+                movement,
                 denoising.finishing(tone.isMetered()),
                 output(picture, frames));
     }
@@ -382,6 +396,6 @@ final class RenderCommand implements Callable<Integer> {
         Rendering shaded = shading.over(usual)
                 .withSize(wanted.width(), wanted.height())
                 .withSamplesPerPixel(samples.over(usual.samplesPerPixel()).samples());
-        return tone.over(shaded);
+        return tone.over(film.over(shaded));
     }
 }

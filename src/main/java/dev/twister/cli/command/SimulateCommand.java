@@ -20,6 +20,7 @@ import dev.twister.render.FrameRange;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Scene;
 import dev.twister.scene.select.VisibleBodies;
+import dev.twister.world.SceneMeshes;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -124,8 +125,8 @@ final class SimulateCommand implements Callable<Integer> {
 
     // A simulation has no other way to a frame than by way of those before it.
     private void record(Scene scene, MotionRecording recording, double framesPerSecond) throws IOException {
-        try (Simulation simulation = Simulation.of(
-                        scene, SkyFiles.meshes(scene, spec.commandLine().getErr()));
+        SceneMeshes meshes = SkyFiles.meshes(scene, spec.commandLine().getErr());
+        try (Simulation simulation = Simulation.ofFilm(scene, meshes, 0);
                 ProgressLine line = progress.start(spec.commandLine(), "simulating", frames.last() + 1L)) {
             for (int number = 0; number <= frames.last(); number++) {
                 if (number >= recording.nextFrame() - 1 && number >= frames.first()) {

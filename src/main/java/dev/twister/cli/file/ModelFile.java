@@ -7,6 +7,7 @@ import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPose;
 import dev.twister.mesh.MeshReader;
 import dev.twister.mesh.MeshStage;
+import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Rendering;
@@ -78,6 +79,11 @@ public record ModelFile(Scene scene, MeshFile content) {
         }
         Skybox panorama = SceneImages.read(under.withMeshes(List.of()), _ -> {}).sky();
         return MeshStage.under(sky.strength() * panorama.lightFromAbove(), under);
+    }
+
+    /** How a camera of the file moves in the animation, for a view of that name; empty if it rests. */
+    public List<CameraKeyframe> path(String view) {
+        return MeshStage.path(scene, content, view);
     }
 
     /** The same without the plane. */

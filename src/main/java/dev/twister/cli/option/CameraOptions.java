@@ -88,6 +88,11 @@ public final class CameraOptions {
         return Ranges.over(camera, "--focus", focusDistance, CameraProperties.FOCUS_DISTANCE);
     }
 
+    /** The name of the view that a picture is seen from, as it is there. */
+    public Optional<String> viewAlone() {
+        return view.filter(_ -> position.isEmpty() && yaw.isEmpty() && pitch.isEmpty());
+    }
+
     /** The size of a picture for which none is given: of a panorama that is asked for, twice as wide as high. */
     public PictureSize sizeOr(PictureSize usual) {
         return projection.filter(Camera.Projection.PANORAMA::equals).isPresent()

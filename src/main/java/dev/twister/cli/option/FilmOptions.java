@@ -9,8 +9,10 @@ import dev.twister.render.FrameRange;
 import dev.twister.render.NumberedFiles;
 import dev.twister.render.RenderOrder.BodyMotion;
 import dev.twister.render.RenderOrder.Movement;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.property.SceneLimits;
+import dev.twister.scene.property.SceneProperties;
 import dev.twister.world.Animation;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.animation.CameraPath;
@@ -55,6 +57,13 @@ public final class FilmOptions {
     private Optional<Double> time = Optional.empty();
 
     @Option(
+            names = "--shutter",
+            paramLabel = "X",
+            description = "Motion blur: how long the shutter is open before a frame's time, as a fraction of a frame, 0"
+                    + " to 1. Needs samples: the more, the smoother.")
+    private Optional<Double> shutter = Optional.empty();
+
+    @Option(
             names = "--skip-existing",
             description = "With frames: keep files that are whole and of the same scene, settings and version; render"
                     + " the others again.")
@@ -79,10 +88,10 @@ public final class FilmOptions {
         }
         turntable.ifPresent(seconds -> Ranges.check("--turntable", seconds, 1e-3, MAX_SECONDS));
         time.ifPresent(seconds -> Ranges.check("--time", seconds, SceneLimits.KEYFRAME_TIME));
-        boolean moved = physics.isOn() || physics.isTimeGiven() || motion.isPresent() || turntable.isPresent();
+        boolean moved = physics.isOn() || physics.isStartGiven() || motion.isPresent() || turntable.isPresent();
         if (time.isPresent() && (moved || frames.isPresent())) {
-            throw new BadInputException("--time excludes --frames, --fps, --start, --physics, --motion and --turntable:"
-                    + " it renders one picture of the scene's keyframes or animations");
+            throw new BadInputException("--time excludes --frames, --start, --physics, --motion and --turntable: it"
+                    + " renders one picture of the scene's keyframes or animations");
         }
         if (skipExisting && overwrite) {
             throw new BadInputException("--skip-existing and --overwrite exclude each other; give one of them");
@@ -194,12 +203,18 @@ public final class FilmOptions {
         BodyMotion bodies = physics.isOn()
                 ? new BodyMotion.Simulated(physics.startSeconds(), secondsPerFrame)
                 : recorded.<BodyMotion>map(BodyMotion.Recorded::new).orElse(new BodyMotion.Still());
-        DoubleFunction<Scene> still =
-                _ -> time.map(seconds -> Animation.at(scene, seconds)).orElse(scene);
+        DoubleFunction<Scene> single =
+                seconds -> time.map(now -> Animation.at(scene, now + seconds)).orElse(scene);
         return new Movement(
                 bodies,
-                film ? seconds -> at(scene, seconds) : still,
-                recorded.map(MotionFile::rate).orElse(1 / secondsPerFrame));
+                film ? seconds -> at(scene, seconds) : single,
+                recorded.map(MotionFile::rate).orElse(1 / secondsPerFrame),
+                film || physics.isOn() || time.isPresent() ? scene.rendering().shutter() : 0);
+    }
+
+    /** The settings with what {@code --shutter} says. */
+    public Rendering over(Rendering usual) {
+        return Ranges.over(usual, "--shutter", shutter, SceneProperties.SHUTTER);
     }
 
     private Scene at(Scene scene, double seconds) {
@@ -210,8 +225,11 @@ public final class FilmOptions {
                 .orElseGet(() -> Animation.at(scene, seconds));
     }
 
-    /** Rejects options that apply only to frames. */
-    public void checkSingle() {
+    /** Rejects options that apply only to frames, or to what moves. */
+    public void checkSingle(MotionOptions physics) {
+        if (shutter.isPresent() && time.isEmpty() && !physics.isOn()) {
+            throw new BadInputException("--shutter requires frames, --time or --physics: otherwise nothing moves");
+        }
         if (overwrite || skipExisting) {
             throw new BadInputException((overwrite ? "--overwrite" : "--skip-existing")
                     + " requires --frames; a single picture always replaces its file");

@@ -41,6 +41,10 @@ public final class MotionOptions {
         return rate.isPresent() || start.isPresent();
     }
 
+    boolean isStartGiven() {
+        return start.isPresent();
+    }
+
     /** Rejects {@code --start} if only the camera moves. */
     void checkStart() {
         if (start.isPresent() && !physics) {

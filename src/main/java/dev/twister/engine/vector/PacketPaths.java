@@ -148,7 +148,7 @@ final class PacketPaths {
 
     /** One pixel's traced path on the JVM, which the kernel follows ray by ray. Its hits may be found elsewhere. */
     private static final class PixelPath {
-        private final float[] path = new float[Layout.LAYERED_PATH_LENGTH];
+        private final float[] path = new float[Layout.FINISHED_PATH_LENGTH];
         private final float[] scratch;
         private int ray = PathTracer.NO_RAY;
         private int bounce;

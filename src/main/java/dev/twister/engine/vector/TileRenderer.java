@@ -12,6 +12,7 @@ import dev.twister.engine.vector.step.GroundSurface;
 import dev.twister.engine.vector.step.Highlight;
 import dev.twister.engine.vector.step.ScatterLanes;
 import dev.twister.engine.vector.step.TileOutput;
+import dev.twister.kernel.Variant;
 
 /** Renders tiles step by step. Each thread has its own instance. */
 final class TileRenderer {
@@ -68,7 +69,8 @@ final class TileRenderer {
     }
 
     private void drawPaths(Drawing drawing) {
-        if (rehearsal.isOver()) {
+        boolean made = (drawing.input.variant(false) & Variant.FINISH) == 0;
+        if (made && rehearsal.isOver()) {
             paths.draw(drawing);
         } else {
             long start = PathRehearsal.clockNanos();
@@ -77,7 +79,7 @@ final class TileRenderer {
             } else {
                 packetPaths.draw(drawing);
             }
-            if (rehearses) {
+            if (made && rehearses) {
                 rehearsal.goOn(paths, drawing, tile, PathRehearsal.clockNanos() - start);
             }
         }

@@ -59,6 +59,11 @@ final class FilmFields {
         return rate;
     }
 
+    /** The rate, also if there is no film; the default if it is wrong. */
+    double framesPerSecond() {
+        return rate.complaint().isPresent() ? USUAL_RATE : rate.number();
+    }
+
     HBox frames() {
         return frames;
     }

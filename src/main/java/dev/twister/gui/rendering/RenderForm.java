@@ -8,6 +8,7 @@ import dev.twister.gui.controls.PlainBox;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.RefinementGoal;
 import dev.twister.gui.drawing.StagesAndViews;
+import dev.twister.gui.rendering.WindowOrder.MovingScene;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.PictureSize;
@@ -153,9 +154,12 @@ final class RenderForm extends GridPane {
     private Optional<RenderOrder> order(Scene scene, StageOrView picture, EngineOffer chosen, Path file) {
         Optional<RenderOrder> order = film.isSelected()
                 ? films.film().map(plan -> WindowOrder.film(scene, picture, chosen, plan, file))
-                : Optional.of(
-                        WindowOrder.picture(studio.film().played(scene), picture, chosen, movedBodies(scene), file));
+                : Optional.of(WindowOrder.picture(moving(scene), picture, chosen, movedBodies(scene), file));
         return order.map(plain -> finishing.applyTo(plain, format()));
+    }
+
+    private MovingScene moving(Scene scene) {
+        return new MovingScene(later -> studio.film().played(scene, later), films.framesPerSecond());
     }
 
     private Rendering settings(Rendering usual, PictureSize wanted) {

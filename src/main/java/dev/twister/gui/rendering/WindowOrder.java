@@ -18,6 +18,7 @@ import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 
 /** Orders of the window's render dialog; their files are those of {@code twister render}. */
 public final class WindowOrder {
@@ -26,17 +27,18 @@ public final class WindowOrder {
     /**
      * An order of a single picture.
      *
-     * @param scene with the size and the samples to render with
+     * @param moving with the size and the samples to render with, and how it moves around the picture's time
      * @param seen a picture with the bodies' positions; empty for those of the scene
      */
     public static RenderOrder picture(
-            Scene scene, StageOrView picture, EngineOffer engine, Optional<FrameInput> seen, Path file) {
+            MovingScene moving, StageOrView picture, EngineOffer engine, Optional<FrameInput> seen, Path file) {
         BodyMotion bodies = seen.<BodyMotion>map(BodyMotion.Seen::new).orElse(new BodyMotion.Still());
+        Scene scene = moving.scene().apply(0);
         return of(
                 scene,
                 picture,
                 engine,
-                new Movement(bodies, _ -> scene, 1),
+                new Movement(bodies, moving.scene(), moving.rate(), shutter(scene, Animation.isIn(scene))),
                 new RenderOutput(file, Optional.empty(), ExistingFrames.REPLACED, Background.SKY));
     }
 
@@ -61,6 +63,18 @@ public final class WindowOrder {
                 scene, engine, List.of(picture), sampling, PicturePart.WHOLE, movement, Finishing.NONE, output);
     }
 
+    private static double shutter(Scene scene, boolean moves) {
+        return moves ? scene.rendering().shutter() : 0;
+    }
+
+    /**
+     * A scene around the time of a picture.
+     *
+     * @param scene by the seconds after that time, below 0 before it
+     * @param rate frames per second, by which the shutter opens
+     */
+    public record MovingScene(DoubleFunction<Scene> scene, double rate) {}
+
     /**
      * A film that the window renders.
      *
@@ -74,7 +88,8 @@ public final class WindowOrder {
             return new Movement(
                     motion.movesBodies() ? new BodyMotion.Simulated(0, secondsPerFrame) : new BodyMotion.Still(),
                     motion.followsKeyframes() ? seconds -> Animation.at(scene, seconds) : _ -> scene,
-                    1 / secondsPerFrame);
+                    1 / secondsPerFrame,
+                    shutter(scene, true));
         }
     }
 }

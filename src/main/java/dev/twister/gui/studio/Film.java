@@ -99,6 +99,25 @@ public final class Film {
         return Animation.played(scene, seconds.get());
     }
 
+    /**
+     * As above, some time before or after the present. What has been edited since the film came to the present rests.
+     *
+     * @param later in seconds; below 0 for before
+     */
+    public Scene played(Scene scene, double later) {
+        double now = seconds.get();
+        Scene pathed = scene.camera().equals(CameraPath.at(scene.camera(), now))
+                ? scene.withCamera(CameraPath.at(scene.camera(), now + later))
+                : scene;
+        Scene moved = keyed(scene, now).equals(scene) ? keyed(pathed, now + later) : pathed;
+        return later == 0 ? played(scene) : Animation.played(moved, now + later);
+    }
+
+    private Scene keyed(Scene scene, double time) {
+        Scene keyed = Animation.keyed(scene, time);
+        return physics.getAsBoolean() ? keyed.withSpheres(scene.spheres()) : keyed;
+    }
+
     /** Those of the camera's path. */
     public List<CameraKeyframe> keyframes() {
         return document.scene().camera().keyframes();
@@ -126,8 +145,7 @@ public final class Film {
     void follow() {
         Scene scene = document.scene();
         if (!scene.tracks().isEmpty()) {
-            Scene now = Animation.keyed(scene, seconds.get());
-            document.follow(physics.getAsBoolean() ? now.withSpheres(scene.spheres()) : now);
+            document.follow(keyed(scene, seconds.get()));
         }
         if (Animation.isOfMeshes(scene)) {
             redraw.run();

@@ -6,17 +6,34 @@ import dev.twister.mesh.input.Bytes;
 import dev.twister.mesh.input.QuotedText;
 import dev.twister.mesh.input.TextureFiles;
 import dev.twister.mesh.input.Warnings;
+import java.awt.image.BufferedImage;
+import java.awt.image.RenderedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** The images of a glTF file, embedded or separate. */
 final class GltfImages {
     static final String WEBP = "EXT_texture_webp";
+
+    /** Limits of images that are made of the file's. */
+    private static final int MOST_MADE = 200;
+
+    private static final long MOST_TEXELS = 1L << 26;
 
     private static final String WITHOUT = "; rendered without it";
 
@@ -27,7 +44,9 @@ final class GltfImages {
     private final Warnings warnings;
     private final Map<Integer, Optional<Path>> found = new HashMap<>();
     private final Map<Path, byte[]> embedded = new LinkedHashMap<>();
+    private final Map<Path, Optional<Path>> alphas = new HashMap<>();
     private long embeddedBytes;
+    private int made;
 
     GltfImages(Path file, Bytes bytes, GltfPlace root, GltfBuffers buffers, Warnings warnings) {
         this.file = file;
@@ -93,8 +112,78 @@ final class GltfImages {
         return TextureFiles.beside(file, GltfBuffers.name(uri), warnings);
     }
 
-    /** Adds an image that is made of the file's; returns its path. */
-    Path add(String name, byte[] picture) {
+    /**
+     * An image of an image's alpha channel, all of whose channels are that; empty if it is opaque.
+     *
+     * @throws IOException if it cannot be read, or there are too many
+     */
+    Optional<Path> alphaOf(Path image) throws IOException {
+        Optional<Path> known = alphas.get(image);
+        if (known == null) {
+            known = Optional.empty();
+            BufferedImage whole = decoded(image);
+            if (whole.getColorModel().hasAlpha()) {
+                BufferedImage alpha =
+                        new BufferedImage(whole.getWidth(), whole.getHeight(), BufferedImage.TYPE_INT_RGB);
+                for (int y = 0; y < alpha.getHeight(); y++) {
+                    for (int x = 0; x < alpha.getWidth(); x++) {
+                        alpha.setRGB(x, y, (whole.getRGB(x, y) >>> 24) * 0x010101);
+                    }
+                }
+                known = Optional.of(add("alpha-" + alphas.size(), alpha));
+            }
+            alphas.put(image, known);
+        }
+        return known;
+    }
+
+    /**
+     * The texels of one of the file's images.
+     *
+     * @throws IOException if it cannot be read
+     */
+    BufferedImage decoded(Path image) throws IOException {
+        Optional<byte[]> known = Optional.ofNullable(embedded.get(image));
+        byte[] picture = known.isPresent() ? known.get() : Files.readAllBytes(image);
+        try (ImageInputStream stream = new MemoryCacheImageInputStream(new ByteArrayInputStream(picture))) {
+            Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
+            if (!readers.hasNext()) {
+                throw new IOException("is of a kind that this Java runtime cannot read");
+            }
+            ImageReader reader = readers.next();
+            try {
+                reader.setInput(stream, true, true);
+                if ((long) reader.getWidth(0) * reader.getHeight(0) > MOST_TEXELS) {
+                    throw new IOException("has more than " + MOST_TEXELS + " texels");
+                }
+                return reader.read(0);
+            } catch (IllegalArgumentException | IndexOutOfBoundsException | IllegalStateException damaged) {
+                // ImageIO's decoders answer some damaged files so.
+                throw new IOException("is damaged", damaged);
+            } finally {
+                reader.dispose();
+            }
+        }
+    }
+
+    /**
+     * Adds an image that is made of the file's; returns its path.
+     *
+     * @throws IOException if there are too many
+     */
+    Path add(String name, RenderedImage picture) throws IOException {
+        if (made == MOST_MADE) {
+            throw new IOException("is one of more than " + MOST_MADE);
+        }
+        made++;
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ImageOutputStream stream = new MemoryCacheImageOutputStream(bytes)) {
+            ImageIO.write(picture, "png", stream);
+        }
+        return add(name, bytes.toByteArray());
+    }
+
+    private Path add(String name, byte[] picture) {
         Path path = file.resolveSibling(file.getFileName() + "#" + name);
         embedded.put(path, picture);
         return path;

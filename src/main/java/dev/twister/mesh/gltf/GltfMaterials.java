@@ -73,7 +73,11 @@ final class GltfMaterials {
                 .withUnlit(extensions.at("KHR_materials_unlit").exists())
                 .withIor(Math.clamp(
                         extensions.at("KHR_materials_ior").at("ior").numberOr(Material.DEFAULT.ior()), 1.0, 4.0))
-                .withSpecular(specular(extensions));
+                .withSpecular(extensions
+                        .at("KHR_materials_specular")
+                        .at("specularFactor")
+                        .unitOr(1))
+                .withFinish(new GltfFinish(extensions, images, textures, warnings).finish());
         whole = transmission(whole, extensions, textures);
         Maps maps = whole.maps();
         maps = OptionalValue.with(maps, textures.map(material.at("emissiveTexture"), ""), Maps::withEmission);
@@ -129,23 +133,15 @@ final class GltfMaterials {
         return emission.isNone() ? Emission.NONE : emission;
     }
 
-    private double specular(GltfPlace extensions) {
-        GltfPlace specular = extensions.at("KHR_materials_specular");
-        if (specular.at("specularTexture").exists()
-                || specular.at("specularColorTexture").exists()
-                || specular.at("specularColorFactor").exists()) {
-            warnings.add("colors and textures of KHR_materials_specular are not read; reflections are white");
-        }
-        return specular.at("specularFactor").unitOr(1);
-    }
-
     private static Material transmission(Material material, GltfPlace extensions, GltfTextures textures)
             throws IOException {
         GltfPlace place = extensions.at("KHR_materials_transmission");
         double transmission = place.at("transmissionFactor").unitOr(0);
         if (transmission == 0) {
-            boolean smooth = material.metallic() == 0 && material.roughness() == 0;
-            // Without metal and roughness the reflectivity alone says that it shines.
+            boolean smooth = material.metallic() == 0
+                    && material.roughness() == 0
+                    && material.finish().isNone();
+            // Without metal, roughness and finish the reflectivity alone says that it shines.
             return smooth ? material.withReflectivity(Reflectivity.PLASTIC * material.specular()) : material;
         }
         GltfPlace volume = extensions.at("KHR_materials_volume");

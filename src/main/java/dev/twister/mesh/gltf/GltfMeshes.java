@@ -113,6 +113,13 @@ final class GltfMeshes {
         return known;
     }
 
+    /** Whether a normal map or a stretched highlight follows the surface's tangents. */
+    private static boolean hasTangents(Material material) {
+        return material.maps().normal().isPresent()
+                || material.finish().clearcoat().normalMap().isPresent()
+                || material.finish().anisotropy().strength() > 0;
+    }
+
     private Optional<Primitive> readPrimitive(GltfPlace primitive, GltfPose pose) throws IOException {
         long mode = primitive.at("mode").countOr(TRIANGLES);
         GltfPlace attributes = primitive.at("attributes");
@@ -132,7 +139,7 @@ final class GltfMeshes {
         }
         int[] corners = corners(primitive, (int) mode, positions.count());
         GltfMaterials.Textured material = materials.of(primitive);
-        boolean bumpy = material.material().maps().normal().isPresent();
+        boolean bumpy = hasTangents(material.material());
         Optional<GltfAccessor> normals = attribute(attributes.at("NORMAL"), 3, positions);
         Attributes moving = new Attributes(
                 positions,

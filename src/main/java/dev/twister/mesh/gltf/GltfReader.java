@@ -26,9 +26,15 @@ public final class GltfReader {
     private static final Set<String> READ = Set.of(
             "EXT_meshopt_compression",
             "KHR_meshopt_compression",
+            "KHR_materials_anisotropy",
+            "KHR_materials_clearcoat",
+            "KHR_materials_diffuse_transmission",
+            "KHR_materials_dispersion",
             "KHR_materials_emissive_strength",
             "KHR_materials_ior",
+            "KHR_materials_iridescence",
             "KHR_materials_pbrSpecularGlossiness",
+            "KHR_materials_sheen",
             "KHR_materials_specular",
             "KHR_materials_transmission",
             "KHR_materials_unlit",
@@ -127,7 +133,7 @@ public final class GltfReader {
                     images.embedded(),
                     meshes.degenerateTriangles(),
                     surroundings.all(),
-                    rig(root, meshes, accessors, nodes));
+                    rig(root, meshes, accessors, nodes, surroundings.carriers()));
         }
     }
 
@@ -170,7 +176,12 @@ public final class GltfReader {
     }
 
     /** What moves in the file's animations. */
-    private MeshRig rig(GltfPlace root, GltfMeshes meshes, GltfAccessors accessors, GltfNodes nodes)
+    private MeshRig rig(
+            GltfPlace root,
+            GltfMeshes meshes,
+            GltfAccessors accessors,
+            GltfNodes nodes,
+            GltfSurroundings.Carriers carriers)
             throws IOException {
         if (root.at("animations").size() == 0) {
             return MeshRig.NONE;
@@ -184,7 +195,9 @@ public final class GltfReader {
                     .binding()
                     .ifPresent(binding -> binding.skin().joints().forEach(joint -> skeleton.add(joint, nodes)));
         }
-        return new GltfRig(GltfAnimation.all(root, accessors, warnings), skeleton, moving, meshes.deformed());
+        carriers.lights().forEach(node -> skeleton.add(node, nodes));
+        carriers.cameras().forEach(node -> skeleton.add(node, nodes));
+        return new GltfRig(GltfAnimation.all(root, accessors, warnings), skeleton, moving, meshes.deformed(), carriers);
     }
 
     private void placeAll(GltfPlace root, GltfMeshes meshes, GltfSurroundings surroundings) throws IOException {
@@ -200,7 +213,7 @@ public final class GltfReader {
             if (node.at("mesh").exists()) {
                 placePosed(next.node(), placement, root, meshes);
             }
-            surroundings.add(node, GltfTransform.turned(placement));
+            surroundings.add(node, next.node(), GltfTransform.turned(placement));
             reach(GltfScenes.indices(node.at("children"), nodes), nodes, placement, waiting, reached);
         }
         if (nodes.size() == 0) {

@@ -1,6 +1,7 @@
 package dev.twister.mesh.gltf;
 
 import dev.twister.mesh.Affine;
+import dev.twister.mesh.FileSurroundings;
 import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPart;
 import dev.twister.mesh.MeshRig;
@@ -19,7 +20,11 @@ import java.util.Optional;
  * @param meshes those of the file's meshes whose vertices move, by their number
  */
 record GltfRig(
-        List<GltfAnimation> animations, GltfSkeleton skeleton, List<Part> parts, Map<Integer, GltfDeformed> meshes)
+        List<GltfAnimation> animations,
+        GltfSkeleton skeleton,
+        List<Part> parts,
+        Map<Integer, GltfDeformed> meshes,
+        GltfSurroundings.Carriers carriers)
         implements MeshRig {
     /** Of a part that would leave the range of coordinates. */
     private static final Affine NOWHERE = new Affine(Vector3.ZERO, Vector3.ZERO, Vector3.ZERO, Vector3.ZERO);
@@ -48,8 +53,32 @@ record GltfRig(
 
     @Override
     public MeshFile posed(MeshFile rest, int clip, double seconds) {
-        double[] numbers = skeleton.numbers();
         Map<Integer, double[]> weights = new HashMap<>();
+        Map<Integer, Affine> now = placements(clip, seconds, weights);
+        Map<Integer, Affine> before = skeleton.placements(skeleton.numbers());
+        List<TriangleMesh> moved = new ArrayList<>(rest.meshes());
+        meshes.forEach((mesh, deformed) -> moved.set(mesh, moved(moved.get(mesh), deformed, weights, before, now)));
+        return new MeshFile(
+                moved,
+                placed(rest.parts(), now),
+                rest.embeddedImages(),
+                rest.degenerateTriangles(),
+                carriers.placed(rest.surroundings(), now),
+                this);
+    }
+
+    @Override
+    public FileSurroundings surroundings(MeshFile rest, int clip, double seconds) {
+        return carriers.placed(rest.surroundings(), placements(clip, seconds, new HashMap<>()));
+    }
+
+    /**
+     * Where the nodes are at a time of an animation.
+     *
+     * @param weights receives those of morph targets that the animation changes, by their node
+     */
+    private Map<Integer, Affine> placements(int clip, double seconds, Map<Integer, double[]> weights) {
+        double[] numbers = skeleton.numbers();
         for (GltfAnimation.Channel channel : animations.get(clip).channels()) {
             GltfSampler sampler = channel.sampler();
             if (channel.isOfWeights()) {
@@ -60,17 +89,7 @@ record GltfRig(
                 sampler.write(seconds, numbers, skeleton.first(channel.node()) + channel.first());
             }
         }
-        Map<Integer, Affine> before = skeleton.placements(skeleton.numbers());
-        Map<Integer, Affine> now = skeleton.placements(numbers);
-        List<TriangleMesh> moved = new ArrayList<>(rest.meshes());
-        meshes.forEach((mesh, deformed) -> moved.set(mesh, moved(moved.get(mesh), deformed, weights, before, now)));
-        return new MeshFile(
-                moved,
-                placed(rest.parts(), now),
-                rest.embeddedImages(),
-                rest.degenerateTriangles(),
-                rest.surroundings(),
-                this);
+        return skeleton.placements(numbers);
     }
 
     /** A mesh with its vertices moved; the same one if they are where they are at rest. */

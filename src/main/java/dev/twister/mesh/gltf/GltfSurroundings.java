@@ -38,6 +38,38 @@ final class GltfSurroundings {
     private final Warnings warnings;
     private final List<FileLight> lights = new ArrayList<>();
     private final Map<String, FileCamera> cameras = new LinkedHashMap<>();
+    private final List<Integer> lightNodes = new ArrayList<>();
+    private final List<Integer> cameraNodes = new ArrayList<>();
+
+    /**
+     * What moves lights and cameras.
+     *
+     * @param lights the node of each light
+     * @param cameras the node of each camera
+     */
+    record Carriers(List<Integer> lights, List<Integer> cameras) {
+        Carriers {
+            lights = List.copyOf(lights);
+            cameras = List.copyOf(cameras);
+        }
+
+        /** The lights and cameras where their nodes are; those of a node that is flat, or far too large, rest. */
+        FileSurroundings placed(FileSurroundings rest, Map<Integer, Affine> placements) {
+            List<FileLight> movedLights = new ArrayList<>();
+            for (int i = 0; i < lights.size(); i++) {
+                Affine placement = GltfTransform.turned(placements.get(lights.get(i)));
+                FileLight light = rest.lights().get(i);
+                movedLights.add(isUsable(placement) ? light.at(placement.origin(), direction(placement)) : light);
+            }
+            List<FileCamera> movedCameras = new ArrayList<>();
+            for (int i = 0; i < cameras.size(); i++) {
+                Affine placement = GltfTransform.turned(placements.get(cameras.get(i)));
+                FileCamera camera = rest.cameras().get(i);
+                movedCameras.add(isUsable(placement) ? camera.at(placement.origin(), direction(placement)) : camera);
+            }
+            return new FileSurroundings(movedLights, movedCameras);
+        }
+    }
 
     GltfSurroundings(GltfPlace root, Warnings warnings) {
         this.root = root;
@@ -48,27 +80,49 @@ final class GltfSurroundings {
         return new FileSurroundings(lights, List.copyOf(cameras.values()));
     }
 
+    Carriers carriers() {
+        return new Carriers(lightNodes, cameraNodes);
+    }
+
+    private static boolean isUsable(Affine placement) {
+        return MeshLimits.isCoordinate(placement.origin().length())
+                && placement.direction(AHEAD).length() > 0;
+    }
+
+    private static Vector3 direction(Affine placement) {
+        return placement.direction(AHEAD).normalized();
+    }
+
     /**
      * Adds the light and the camera of a node, if it has one.
      *
+     * @param number of the node
      * @param placement transform to the file's coordinates, in Twister's axes
      */
-    void add(GltfPlace node, Affine placement) {
+    void add(GltfPlace node, int number, Affine placement) {
         GltfPlace light = node.at("extensions").at(LIGHTS).at("light");
         GltfPlace camera = node.at("camera");
         if (!light.exists() && !camera.exists()) {
             return;
         }
-        Vector3 direction = placement.direction(AHEAD);
-        if (!MeshLimits.isCoordinate(placement.origin().length()) || direction.length() == 0) {
+        if (!isUsable(placement)) {
             warnings.add(node + " is flat, or far too large; not read");
             return;
         }
         if (light.exists()) {
-            addLight(light, placement.origin(), direction.normalized());
+            addLight(light, placement.origin(), direction(placement));
         }
         if (camera.exists()) {
             addCamera(node, placement);
+        }
+        addNumbers(number, lightNodes, lights.size());
+        addNumbers(number, cameraNodes, cameras.size());
+    }
+
+    /** Adds a node's number if something of it was added. */
+    private static void addNumbers(int node, List<Integer> nodes, int count) {
+        if (nodes.size() < count) {
+            nodes.add(node);
         }
     }
 
@@ -111,13 +165,7 @@ final class GltfSurroundings {
             warnings.add(camera + " is rolled; its view is level");
         }
         String name = name(node.at("name").textOr(camera.at("name").textOr("")));
-        cameras.put(
-                name,
-                new FileCamera(
-                        name,
-                        lens(camera),
-                        placement.origin(),
-                        placement.direction(AHEAD).normalized()));
+        cameras.put(name, new FileCamera(name, lens(camera), placement.origin(), direction(placement)));
     }
 
     /** A camera at the origin with the field of view, or what is seen without perspective. */

@@ -6,6 +6,7 @@ import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.material.Alpha;
 import dev.twister.scene.material.Emission;
+import dev.twister.scene.material.Finish;
 import dev.twister.scene.material.ImageMap;
 import dev.twister.scene.material.Maps;
 import dev.twister.scene.material.Sampler;
@@ -14,6 +15,9 @@ import java.util.Optional;
 /** The fields of a material in an MTL file, and their conversion to Twister's material. */
 final class MtlMaterial {
     private static final double MAX_EXPONENT = 1000;
+
+    /** The format has none; that of Blender, which writes such files. */
+    private static final double SHEEN_ROUGHNESS = 0.5;
 
     Rgb diffuse = Material.DEFAULT.color();
     Optional<Rgb> specular = Optional.empty();
@@ -27,6 +31,14 @@ final class MtlMaterial {
     double exponent;
     Optional<Double> roughness = Optional.empty();
     Optional<Double> metallic = Optional.empty();
+    double sheen;
+    double clearcoat;
+    double clearcoatRoughness;
+    double anisotropy;
+
+    /** Of the stretched highlight, in turns. */
+    double turn;
+
     long illumination = 2;
 
     Material material() {
@@ -47,6 +59,7 @@ final class MtlMaterial {
                 .withEmission(Emission.NONE.withColor(
                         maps.emission().isPresent() && greatest(emission) == 0 ? new Rgb(1, 1, 1) : emission))
                 .withAlpha(maps.alpha().isPresent() ? Alpha.OPAQUE.withMode(Alpha.Mode.BLEND) : Alpha.OPAQUE)
+                .withFinish(finish())
                 .withMaps(maps.withTexture(texture.map(ImageMap::sampler).orElse(Sampler.DEFAULT)));
         return OptionalValue.with(plain, texture.map(ImageMap::file), Material::withTexture);
     }
@@ -56,12 +69,27 @@ final class MtlMaterial {
         return transparency == 1 ? 1 : 1 - transparency;
     }
 
+    private Finish finish() {
+        Finish finish = Finish.NONE
+                .withClearcoat(Finish.NONE.clearcoat().withPart(clearcoat).withRoughness(clearcoatRoughness))
+                .withSheen(Finish.NONE
+                        .sheen()
+                        .withColor(new Rgb(sheen, sheen, sheen))
+                        .withRoughness(SHEEN_ROUGHNESS))
+                .withAnisotropy(Finish.NONE
+                        .anisotropy()
+                        .withStrength(anisotropy)
+                        .withRotation(Math.IEEEremainder(turn, 1) * 2 * Math.PI));
+        return finish.isNone() ? Finish.NONE : finish;
+    }
+
     /** Whether it has properties of the extension for physically based rendering. */
     private boolean isPhysical() {
         return metallic.isPresent()
                 || roughness.isPresent()
                 || maps.metallic().isPresent()
-                || maps.roughness().isPresent();
+                || maps.roughness().isPresent()
+                || !finish().isNone();
     }
 
     private boolean isGlass() {

@@ -27,21 +27,8 @@ import java.util.function.BiFunction;
 final class MtlReader {
     private static final int MAX_MATERIALS = 10_000;
     private static final String NUMBER = "[+-]?(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?";
-    private static final Set<String> UNUSED = Set.of(
-            "Ka",
-            "sharpness",
-            "map_Ka",
-            "map_Ks",
-            "map_Ns",
-            "disp",
-            "decal",
-            "refl",
-            "map_Ps",
-            "Ps",
-            "Pc",
-            "Pcr",
-            "aniso",
-            "anisor");
+    private static final Set<String> UNUSED =
+            Set.of("Ka", "sharpness", "map_Ka", "map_Ks", "map_Ns", "disp", "decal", "refl", "map_Ps");
 
     private final Path file;
     private final TextCursor text;
@@ -105,6 +92,11 @@ final class MtlReader {
             case "Ke" -> radiance().ifPresent(color -> material.emission = emission(color));
             case "Pr" -> material.roughness = Optional.of(number());
             case "Pm" -> material.metallic = Optional.of(number());
+            case "Ps" -> material.sheen = unit();
+            case "Pc" -> material.clearcoat = unit();
+            case "Pcr" -> material.clearcoatRoughness = unit();
+            case "aniso" -> material.anisotropy = unit();
+            case "anisor" -> material.turn = number();
             case "map_Kd" -> material.texture = texture(text.rest());
             case "map_Ke" -> material.maps = mapped(material.maps, Maps::withEmission);
             case "map_d" -> material.maps = mapped(material.maps, Maps::withAlpha);
@@ -152,6 +144,10 @@ final class MtlReader {
 
     private double positive() throws IOException {
         return Math.max(number(), 0);
+    }
+
+    private double unit() throws IOException {
+        return Math.min(positive(), 1);
     }
 
     private double number() throws IOException {

@@ -40,8 +40,10 @@ final class MeshFields {
                                         MeshAnimation.NONE,
                                         Stream.concat(
                                                         Stream.of(required(
-                                                                "name",
-                                                                new ValueType.Text(1, SceneLimits.MAX_NAME_LENGTH),
+                                                                BodyProperties.ANIMATION_NAME.name(),
+                                                                ValueType.of(
+                                                                        BodyProperties.ANIMATION_NAME.type(),
+                                                                        NamedFiles.UNRESOLVED),
                                                                 MeshAnimation::name,
                                                                 MeshAnimation::withName)),
                                                         Field.of(BodyProperties.ANIMATION, NamedFiles.UNRESOLVED)

@@ -3,7 +3,7 @@ package dev.twister.scene.format;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.json.JsonPath;
-import dev.twister.scene.material.Maps;
+import dev.twister.scene.property.MaterialProperties;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.SequencedMap;
@@ -39,11 +39,8 @@ public final class TexturePlaces {
     }
 
     private void add(Material material, JsonPath body) {
-        material.texture().ifPresent(file -> add(file, body, "texture"));
-        Maps maps = material.maps();
-        maps.emission().ifPresent(map -> add(map.file(), body, "emissionMap"));
-        maps.roughness().ifPresent(map -> add(map.file(), body, "roughnessMap"));
-        maps.normal().ifPresent(map -> add(map.file(), body, "normalMap"));
+        MaterialProperties.IMAGES.forEach(image ->
+                image.getter().apply(material).ifPresent(file -> add(file, body, image.name())));
         material.images().forEach(file -> add(file, body, "texture"));
     }
 

@@ -376,6 +376,7 @@ sealed interface ValueType<T>
                     case PropertyType.Flag() -> new Flag();
                     case PropertyType.Choice<?> choice -> new Choice<>(choice.constants());
                     case PropertyType.LayerName() -> new GroupName();
+                    case PropertyType.ClipName() -> new Text(1, SceneLimits.MAX_NAME_LENGTH);
                     case PropertyType.Image() -> new FilePath(new Text(1, SceneLimits.MAX_PATH_LENGTH), files);
                     case PropertyType.Given<?>(PropertyType<?> given) -> present(of(given, files));
                 };

@@ -11,6 +11,7 @@ import dev.twister.scene.Mesh;
 import dev.twister.scene.MeshAnimation;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.property.PropertyType.ClipName;
 import dev.twister.scene.property.PropertyType.Turn;
 import java.util.List;
 
@@ -70,6 +71,13 @@ public final class BodyProperties {
                     "")
             .slide(linear(0, 180, 0, "°"));
 
+    /** Which animation of the file a mesh plays; empty for none. */
+    public static final Property<MeshAnimation, String> ANIMATION_NAME = Property.of(
+                    "name", new ClipName(), MeshAnimation::name, MeshAnimation::withName)
+            .since(4)
+            .means("the animation's name in the file, or its number from 0")
+            .row("Animation", "Which animation of its file the mesh plays in the film.", "");
+
     /** Of an animation of a file. */
     public static final List<Property<MeshAnimation, ?>> ANIMATION = List.of(
             decimal("start", SceneLimits.CLIP_TIME, MeshAnimation::start, MeshAnimation::withStart)
@@ -88,7 +96,8 @@ public final class BodyProperties {
                     .slide(linear(-4, 4, 2, "")),
             flag("loop", MeshAnimation::loop, MeshAnimation::withLoop)
                     .since(4)
-                    .means("whether it begins again where it ends; otherwise it stops there"));
+                    .means("whether it begins again where it ends; otherwise it stops there")
+                    .row("Animation loop", "Begin the animation again where it ends. Off: it stops there.", ""));
 
     public static final List<Property<Ground, ?>> PLANE = List.of(
             decimal("size", SceneLimits.LENGTH, Ground::size, Ground::withSize)

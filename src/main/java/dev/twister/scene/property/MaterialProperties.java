@@ -25,6 +25,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /** The properties of a material, in the order in which a scene file has them. */
 public final class MaterialProperties {
@@ -171,8 +172,7 @@ public final class MaterialProperties {
             .means("an image that multiplies the color")
             .row("Texture", "A picture that multiplies the color.", "Alt+Shift+X");
 
-    /** In the order in which their files are read. */
-    public static final List<Property<Material, Optional<Path>>> IMAGES = List.of(
+    private static final List<Property<Material, Optional<Path>>> BASE_IMAGES = List.of(
             TEXTURE,
             map("emissionMap", Maps::emission, Maps::withEmission)
                     .means("an image that multiplies the emission")
@@ -188,6 +188,11 @@ public final class MaterialProperties {
                     .means("an image of normals, as in glTF; a gray one holds heights, of which 1 is one texel")
                     .row("Normal map", "A picture of normals, as glTF has them; a gray one holds heights.", ""));
 
+    /** In the order in which their files are read. */
+    public static final List<Property<Material, Optional<Path>>> IMAGES = Stream.concat(
+                    BASE_IMAGES.stream(), FinishProperties.IMAGES.stream())
+            .toList();
+
     private static final List<Property<Material, ?>> ALPHA = List.of(
             choice("alphaMode", Alpha.Mode.class, Alpha::mode, Alpha::withMode)
                     .within(Material::alpha, Material::withAlpha)
@@ -202,7 +207,7 @@ public final class MaterialProperties {
                     .slide(SHARE));
 
     public static final List<Property<Material, ?>> ALL =
-            List.of(List.<Property<Material, ?>>of(COLOR), NUMBERS, IMAGES, ALPHA).stream()
+            List.of(List.<Property<Material, ?>>of(COLOR), NUMBERS, FinishProperties.NUMBERS, IMAGES, ALPHA).stream()
                     .<Property<Material, ?>>flatMap(List::stream)
                     .toList();
 

@@ -133,6 +133,9 @@ public sealed interface PropertyType<V> {
     /** The name of a layer of light, or nothing. */
     record LayerName() implements PropertyType<String> {}
 
+    /** The name of an animation in a mesh's file, or its number. */
+    record ClipName() implements PropertyType<String> {}
+
     /** A file. */
     record Image() implements PropertyType<Path> {}
 

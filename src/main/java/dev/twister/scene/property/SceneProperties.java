@@ -104,8 +104,30 @@ public final class SceneProperties {
             .slide(linear(0, 100, 1, ""))
             .only(Integrator.PATH);
 
+    public static final Property<Rendering, Double> SHUTTER = decimal(
+                    "shutter", SceneLimits.SHARE, Rendering::shutter, Rendering::withShutter)
+            .since(4)
+            .means("[motion blur](films.md#motion-blur): how long the shutter is open before a frame's time, as a"
+                    + " fraction of a frame")
+            .row(
+                    "Shutter",
+                    "Motion blur of pictures and films rendered to files: how long the shutter is open, as a fraction"
+                            + " of a frame. 0 for none.",
+                    "")
+            .slide(SHARE);
+
     public static final List<Property<Rendering, ?>> RENDERING = List.of(
-            WIDTH, HEIGHT, SHADOW_SAMPLES, BOUNCES, SAMPLES_PER_PIXEL, EXPOSURE, TONE_MAP, SRGB, INTEGRATOR, CLAMP);
+            WIDTH,
+            HEIGHT,
+            SHADOW_SAMPLES,
+            BOUNCES,
+            SAMPLES_PER_PIXEL,
+            EXPOSURE,
+            TONE_MAP,
+            SRGB,
+            INTEGRATOR,
+            CLAMP,
+            SHUTTER);
 
     public static final Property<Sky, Double> SKY_ROTATION = decimal(
                     "rotation", SceneLimits.ANGLE, Sky::rotationDegrees, Sky::withRotationDegrees)

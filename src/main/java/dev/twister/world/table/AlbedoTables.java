@@ -20,25 +20,40 @@ final class AlbedoTables {
     private static final int LATTICE = 233;
     private static final double LEAST_COSINE = 1e-4;
 
-    /** By the number of steps from glass. */
+    /** In place of a number of steps: the table of the sheen. */
+    private static final int SHEEN = Integer.MAX_VALUE;
+
+    /** By the number of steps from glass, or {@link #SHEEN}. */
     private final Map<Integer, float[]> computed = new HashMap<>();
 
-    /** Appends the tables that the bodies need, and writes their places into the bodies' looks. */
+    /** Appends the tables that the bodies need, and writes their places into the bodies' looks and finishes. */
     float[] appendTo(float[] looks, int bodies) {
         Map<Integer, Integer> places = new HashMap<>();
         float[] all = looks;
         for (int look = 0; look < Layout.LOOK_STRIDE * bodies; look += Layout.LOOK_STRIDE) {
             if (looks[look + Layout.LOOK_FRESNEL] > 0) {
                 int steps = (int) Math.round(Math.log(looks[look + Layout.LOOK_IOR] / GLASS) / STEP);
-                if (!places.containsKey(steps)) {
-                    float[] tables = computed.computeIfAbsent(steps, AlbedoTables::compute);
-                    places.put(steps, all.length);
-                    all = Arrays.copyOf(all, all.length + tables.length);
-                    System.arraycopy(tables, 0, all, all.length - tables.length, tables.length);
-                }
+                all = append(all, steps, places);
                 all[look + Layout.LOOK_ALBEDOS] = places.get(steps);
             }
+            int finish = (int) looks[look + Layout.LOOK_FINISH];
+            if (finish > 0) {
+                all = append(append(all, 0, places), SHEEN, places);
+                all[finish + Layout.FINISH_COAT_ALBEDO] =
+                        places.get(0) + DirectionalAlbedo.COAT * DirectionalAlbedo.TABLE_LENGTH;
+                all[finish + Layout.FINISH_SHEEN_ALBEDO] = places.get(SHEEN);
+            }
         }
+        return all;
+    }
+
+    private float[] append(float[] looks, int steps, Map<Integer, Integer> places) {
+        if (places.putIfAbsent(steps, looks.length) != null) {
+            return looks;
+        }
+        float[] tables = computed.computeIfAbsent(steps, key -> key == SHEEN ? SheenTables.compute() : compute(key));
+        float[] all = Arrays.copyOf(looks, looks.length + tables.length);
+        System.arraycopy(tables, 0, all, looks.length, tables.length);
         return all;
     }
 

@@ -47,18 +47,19 @@ public final class LookTable {
             float[] meshFloats,
             SceneImages newImages) {
         MapTable table = new MapTable(newImages);
+        FinishTable finishes = new FinishTable(table);
         numbers = BodyOrder.of(spheres.size(), lights);
         float[] materials = new float[Layout.LOOK_STRIDE * (numbers.firstMesh() + meshes.size())];
-        put(materials, Layout.PLANE, ground.material(), table.row(ground.material()));
+        put(materials, Layout.PLANE, ground.material(), table.row(ground.material()), finishes);
         int body = Layout.FIRST_SPHERE;
         for (Sphere sphere : spheres) {
-            put(materials, body++, sphere.material(), table.row(sphere.material()));
+            put(materials, body++, sphere.material(), table.row(sphere.material()), finishes);
         }
         body = numbers.firstMesh();
         for (MeshBody mesh : meshes) {
-            put(materials, body++, mesh.material(), table.row(mesh));
+            put(materials, body++, mesh.material(), table.row(mesh), finishes);
         }
-        this.materials = arePlain(materials) ? 0 : Variant.MATERIALS | table.variant();
+        this.materials = arePlain(materials) ? 0 : Variant.MATERIALS | table.variant() | finishes.variant();
         put(materials, lights);
         texels = texels.changedTo(newImages, table.uses(), table.opacities(), meshFloats);
         float[] mapped = table.withTable(materials, texels);
@@ -67,7 +68,8 @@ public final class LookTable {
         for (int index = 0; index < lights.count(); index++) {
             all[lightTable + index] = numbers.light(index);
         }
-        replace(albedos.appendTo(all, numbers.firstMesh() + meshes.size()));
+        int bodies = numbers.firstMesh() + meshes.size();
+        replace(albedos.appendTo(finishes.appendTo(all, bodies, texels), bodies));
     }
 
     /** Changes as many lights as there are; a light that only moves leaves the array as it is. */
@@ -157,7 +159,7 @@ public final class LookTable {
         return true;
     }
 
-    private static void put(float[] looks, int body, Material material, int maps) {
+    private static void put(float[] looks, int body, Material material, int maps, FinishTable finishes) {
         int look = Layout.LOOK_STRIDE * body;
         putColor(looks, look, material.color());
         boolean fresnel = material.isByFresnel();
@@ -176,7 +178,11 @@ public final class LookTable {
         looks[look + Layout.LOOK_FRESNEL] = fresnel ? 1 : beside ? -1 : 0;
         looks[look + Layout.LOOK_BESIDE_METAL] = beside ? (float) material.reflectivity() : 0;
         putEmission(looks, look, material.emission());
-        looks[look + Layout.LOOK_SHEET] = material.thinWalled() && transmission > 0 ? Layout.SHEET_OF_BODY : 0;
+        looks[look + Layout.LOOK_FINISH] = finishes.number(material);
+        boolean translucent =
+                material.hasFinish() && material.finish().through().part() > 0;
+        boolean sheet = transmission > 0 ? material.thinWalled() : translucent;
+        looks[look + Layout.LOOK_SHEET] = sheet ? Layout.SHEET_OF_BODY : 0;
         material.attenuation().distance().ifPresent(distance -> putAbsorption(looks, look, material, distance));
         looks[look + Layout.LOOK_MAPS] = maps;
     }

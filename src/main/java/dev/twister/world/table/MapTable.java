@@ -108,7 +108,8 @@ final class MapTable {
         });
     }
 
-    private void use(MapUse use) {
+    /** Adds a map that something beside the rows has. */
+    void use(MapUse use) {
         checkRead(use.file());
         uses.add(use);
     }
@@ -174,11 +175,12 @@ final class MapTable {
         looks[at + Layout.MAPS_UNLIT] = row.unlit() ? 1 : 0;
     }
 
-    private static float scale(Optional<ImageMap> map) {
+    static float scale(Optional<ImageMap> map) {
         return (float) map.map(ImageMap::scale).orElse(1.0).doubleValue();
     }
 
-    private void write(float[] looks, int at, Optional<ImageMap> map, Content content, MapTexels texels) {
+    /** Writes a map, or leaves its place as it is if there is none. */
+    void write(float[] looks, int at, Optional<ImageMap> map, Content content, MapTexels texels) {
         map.ifPresent(present -> write(looks, at, present, new MapUse(present.file(), content), texels));
     }
 

@@ -28,7 +28,7 @@ public final class TwinTable {
         boolean sameLooks = looks == newLooks;
         if (!sameLooks) {
             transmitting = IntStream.range(Layout.FIRST_SPHERE, room)
-                    .filter(body -> newLooks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0)
+                    .filter(body -> passes(newLooks, Layout.LOOK_STRIDE * body))
                     .toArray();
         }
         if (!sameLooks || places != newPlaces || present != newPresent) {
@@ -38,6 +38,10 @@ public final class TwinTable {
             found = transmitting.length > 0 && search() ? Variant.TWINS : 0;
         }
         return found;
+    }
+
+    private static boolean passes(float[] looks, int look) {
+        return looks[look + Layout.LOOK_TRANSMISSION] + looks[look + Layout.LOOK_SHEET] > 0;
     }
 
     private boolean search() {

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.edit.Scenes;
 import dev.twister.gui.rendering.WindowOrder.FilmPlan;
+import dev.twister.gui.rendering.WindowOrder.MovingScene;
 import dev.twister.render.FrameRange;
 import dev.twister.render.RenderOrder;
 import dev.twister.scene.Scene;
@@ -148,6 +149,7 @@ class RenderJobTest {
         FilmPlan film = new FilmPlan(FilmMotion.PHYSICS, 30, FrameRange.ofCount(frames));
         return frames > 1
                 ? WindowOrder.film(scene, StageOrView.BEAUTY, engine, film, file)
-                : WindowOrder.picture(scene, StageOrView.BEAUTY, engine, Optional.empty(), file);
+                : WindowOrder.picture(
+                        new MovingScene(_ -> scene, 1), StageOrView.BEAUTY, engine, Optional.empty(), file);
     }
 }

@@ -4,18 +4,23 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.mesh.Affine;
 import dev.twister.mesh.MeshException;
 import dev.twister.mesh.MeshFile;
+import dev.twister.mesh.MeshPlacement;
 import dev.twister.mesh.MeshPose;
 import dev.twister.mesh.MeshReader;
 import dev.twister.mesh.MeshStage;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Geometry;
 import dev.twister.scene.Light;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.light.LightShape;
+import dev.twister.world.Animation;
+import dev.twister.world.SceneMeshes;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -232,5 +237,63 @@ class GltfSurroundingsTest {
 
         assertThat(scene.views().getFirst().camera().projection()).isEqualTo(Camera.Projection.ORTHOGRAPHIC);
         assertThat(scene.views().getFirst().camera().viewHeight()).isEqualTo(3);
+    }
+
+    /** A node with the mesh, a spot and a camera that goes 4 to the right and turns by 90 degrees in a second. */
+    @Test
+    void lightsAndCamerasOfMovingNodesFollowTheAnimation() throws IOException {
+        AnimatedGltf gltf = new AnimatedGltf();
+        int times = gltf.accessor("SCALAR", 0, 1);
+        int places = gltf.accessor("VEC3", 0, 0, 0, 4, 0, 0);
+        int turns = gltf.accessor("VEC4", 0, 0, 0, 1, 0, 0.70710678f, 0, 0.70710678f);
+        String text = gltf.node(",\"camera\":0,\"name\":\"Eye\",\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}")
+                .channel(0, "translation", "LINEAR", times, places)
+                .channel(0, "rotation", "LINEAR", times, turns)
+                .text(",\"cameras\":[{\"perspective\":{\"yfov\":1}}],\"extensions\":{\"KHR_lights_punctual\":"
+                        + "{\"lights\":[{\"type\":\"spot\"}]}}");
+        Path path = folder.resolve("moving.gltf");
+        Files.writeString(path, text);
+        Geometry.OfFile file = new Geometry.OfFile(path);
+        MeshFile held = MeshReader.read(file, 0, warnings::add);
+        Scene stage = MeshStage.of(file, held, Path.of("sky.hdr"), MeshPose.OF_FILE);
+        Mesh mesh = stage.meshes().getFirst();
+        Camera eye = stage.views().getFirst().camera();
+        Scene seen = stage.withCamera(eye.withKeyframes(MeshStage.path(stage, held, "Eye")));
+
+        for (double seconds : new double[] {0, 0.25, 0.5, 0.9}) {
+            Affine node = MeshPlacement.of(mesh)
+                    .of(held.posed(mesh.animation().at(seconds))
+                            .parts()
+                            .getFirst()
+                            .placement());
+            Scene now = Animation.at(seen, seconds);
+
+            Light light = now.lights().first();
+            Vector3 ahead = node.direction(new Vector3(0, 0, 1)).normalized();
+            assertThat(light.position().minus(node.origin()).length()).isCloseTo(0, within(1e-3));
+            assertThat(light.shape().toward().plus(ahead).length()).isCloseTo(0, within(1e-3));
+            assertThat(now.camera().position().minus(node.origin()).length()).isCloseTo(0, within(1e-3));
+            double yaw = Math.toDegrees(Math.atan2(ahead.x(), ahead.z()));
+            assertThat(Math.abs(now.camera().yawDegrees() - yaw) % 360).isCloseTo(0, within(0.1));
+        }
+        assertThat(Animation.at(seen, 0.9).lights().first().position().x())
+                .isNotCloseTo(stage.lights().first().position().x(), within(0.1));
+        assertThat(MeshStage.path(stage, held, "another")).isEmpty();
+        assertThat(Animation.frames(stage, SceneMeshes.of(stage, _ -> held), 10))
+                .isEqualTo(10);
+    }
+
+    @Test
+    void whatRestsHasNoTracks() throws IOException {
+        String text = new AnimatedGltf()
+                .node(",\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}")
+                .text(",\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"point\"}]}}");
+        Path path = folder.resolve("resting.gltf");
+        Files.writeString(path, text);
+        Geometry.OfFile file = new Geometry.OfFile(path);
+        Scene stage = MeshStage.of(file, MeshReader.read(file, 0, warnings::add), Path.of("sky.hdr"), MeshPose.OF_FILE);
+
+        assertThat(stage.lights().first().strength()).isPresent();
+        assertThat(stage.tracks()).isEmpty();
     }
 }

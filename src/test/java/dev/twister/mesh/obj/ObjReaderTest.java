@@ -10,6 +10,7 @@ import dev.twister.mesh.TriangleMesh;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.material.Emission;
+import dev.twister.scene.material.Finish;
 import dev.twister.scene.material.Maps;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -53,7 +54,22 @@ class ObjReaderTest {
                 Arguments.of("Kd 1 0 0\nd 1\nTr 1", Material.DEFAULT.withColor(red)),
                 Arguments.of("Kd 1 0 0\nTr 1.0", Material.DEFAULT.withColor(red)),
                 Arguments.of("Ke 5 2 0", Material.DEFAULT.withEmission(Emission.NONE.withColor(new Rgb(5, 2, 0)))),
-                Arguments.of("Pm 1\nPr 0.5", Material.DEFAULT.withMetallic(1).withRoughness(0.5)));
+                Arguments.of("Pm 1\nPr 0.5", Material.DEFAULT.withMetallic(1).withRoughness(0.5)),
+                Arguments.of(
+                        "Pr 0.5\nPc 2\nPcr 0.25\nPs 0\naniso 0.75\nanisor 1.25",
+                        Material.DEFAULT
+                                .withRoughness(0.5)
+                                .withFinish(Finish.NONE
+                                        .withClearcoat(Finish.NONE
+                                                .clearcoat()
+                                                .withPart(1)
+                                                .withRoughness(0.25))
+                                        .withSheen(Finish.NONE.sheen().withRoughness(0.5))
+                                        .withAnisotropy(Finish.NONE
+                                                .anisotropy()
+                                                .withStrength(0.75)
+                                                .withRotation(Math.PI / 2)))),
+                Arguments.of("Pr 0\nPc 0\nPs 0", Material.DEFAULT));
     }
 
     @ParameterizedTest(name = "{0}")

@@ -70,7 +70,12 @@ class FormatTablesTest {
                         Mesh.DEFAULT,
                         Stream.concat(BodyProperties.MESH.stream(), Stream.of(BodyProperties.SMOOTH))
                                 .toList()));
-        tables.put("animation", table(MeshAnimation.NONE, BodyProperties.ANIMATION));
+        tables.put(
+                "animation",
+                table(
+                        MeshAnimation.NONE,
+                        Stream.concat(Stream.of(BodyProperties.ANIMATION_NAME), BodyProperties.ANIMATION.stream())
+                                .toList()));
         tables.put("plane", table(Ground.DEFAULT, BodyProperties.PLANE));
         tables.put("sky", table(Sky.of(Path.of("")), SceneProperties.SKY));
         tables.put("shading", table(Shading.DEFAULT, SceneProperties.SHADING));
@@ -103,6 +108,7 @@ class FormatTablesTest {
                         .map(value -> "`" + PropertyType.Choice.name(value) + "`")
                         .collect(Collectors.joining(", "));
             case PropertyType.LayerName() -> "up to " + LightGroup.MAX_NAME_LENGTH + " of A-Z, a-z, 0-9, - and _";
+            case PropertyType.ClipName() -> "a name";
             case PropertyType.Image() -> "a file";
             case PropertyType.Given<?>(PropertyType<?> given) -> range(given);
         };

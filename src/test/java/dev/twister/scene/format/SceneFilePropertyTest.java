@@ -21,8 +21,7 @@ import dev.twister.scene.generate.Pour;
 import dev.twister.scene.light.Lights;
 import dev.twister.scene.material.Alpha;
 import dev.twister.scene.material.Emission;
-import dev.twister.scene.material.ImageMap;
-import dev.twister.scene.material.Maps;
+import dev.twister.scene.property.MaterialProperties;
 import dev.twister.scene.property.SceneLimits;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -31,6 +30,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.SequencedMap;
 import java.util.stream.IntStream;
@@ -194,24 +194,12 @@ class SceneFilePropertyTest {
     }
 
     private static Material withFiles(Material material) {
-        Maps maps = material.maps();
-        Material there = material.texture()
-                .map(FOLDER::resolve)
-                .map(material::withTexture)
-                .orElse(material);
-        return there.withMaps(new Maps(
-                maps.texture(),
-                maps.emission().map(SceneFilePropertyTest::withFile),
-                maps.roughness().map(SceneFilePropertyTest::withFile),
-                maps.metallic().map(SceneFilePropertyTest::withFile),
-                maps.normal().map(SceneFilePropertyTest::withFile),
-                maps.occlusion(),
-                maps.transmission(),
-                maps.alpha()));
-    }
-
-    private static ImageMap withFile(ImageMap map) {
-        return ImageMap.of(FOLDER.resolve(map.file())).withScale(map.scale());
+        Material there = material;
+        for (dev.twister.scene.property.Property<Material, Optional<Path>> image : MaterialProperties.IMAGES) {
+            Optional<Path> file = image.getter().apply(there).map(FOLDER::resolve);
+            there = file.isPresent() ? image.wither().apply(there, file) : there;
+        }
+        return there;
     }
 
     private static Camera risingTimes(Camera camera) {

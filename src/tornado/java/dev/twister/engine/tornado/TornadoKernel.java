@@ -59,7 +59,8 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                 int layered = Views.isLayered(variant);
                 int guidedPath = layered != 0 ? Layout.LAYERED_PATH_LENGTH : Layout.GUIDED_PATH_LENGTH;
                 int shortPath = Views.isCut(variant) != 0 ? Layout.CUT_PATH_LENGTH : usualPath;
-                float[] path = new float[Views.isGuided(variant) != 0 ? guidedPath : shortPath];
+                int barePath = Views.isGuided(variant) != 0 ? guidedPath : shortPath;
+                float[] path = new float[(variant & Variant.FINISH) != 0 ? Layout.FINISHED_PATH_LENGTH : barePath];
                 float[] scratch = new float[scratchLength(variant)];
                 PixelKernel.draw(column, row, path, scratch, frame, bodies, looks, meshes, images, variant);
                 int pixel = row * width + column;

@@ -77,6 +77,18 @@ class ViewsOnDeviceTest {
         }
     }
 
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("devices")
+    void finishesAreSequentials(EngineOffer offer) {
+        Scene scene = SceneReader.read(Path.of("docs/finishes.json"));
+        SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
+        World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
+        world.setSettings(small(scene.rendering()));
+        try (Engine engine = offer.opener().get()) {
+            Pictures.requireSequentialsRadiance(engine, world.snapshot());
+        }
+    }
+
     static Stream<Object[]> projectionsOnDevices() {
         return Devices.namedOffers().stream()
                 .flatMap(offer ->

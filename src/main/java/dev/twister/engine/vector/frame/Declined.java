@@ -196,8 +196,9 @@ public final class Declined {
                 distanceSquared += away * away;
             }
             float reach = INSIDE * input.bodies().size(body) + camera[Layout.CAMERA_APERTURE];
-            inside |=
-                    distanceSquared <= reach * reach && looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
+            int look = Layout.LOOK_STRIDE * body;
+            inside |= distanceSquared <= reach * reach
+                    && looks[look + Layout.LOOK_TRANSMISSION] + looks[look + Layout.LOOK_SHEET] > 0;
         }
         return inside;
     }

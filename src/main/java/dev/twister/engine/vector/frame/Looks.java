@@ -36,12 +36,14 @@ public final class Looks {
     public boolean plainPlane;
 
     private int bodies;
+    private boolean traced;
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
     void take(FrameInput input) {
-        if (values != input.bodies().looks() || bodies != input.bodyEnd()) {
+        if (values != input.bodies().looks() || bodies != input.bodyEnd() || traced != input.tracesPaths()) {
             values = input.bodies().looks();
             bodies = input.bodyEnd();
+            traced = input.tracesPaths();
             copy();
         }
     }
@@ -75,8 +77,9 @@ public final class Looks {
         return look(body, Layout.LOOK_TRANSMISSION);
     }
 
+    /** Whether light passes the body's surface; that of a diffuse sheet in path tracing alone. */
     public boolean transmits(int body) {
-        return transmission(body) > 0f;
+        return transmission(body) > 0f || (traced && look(body, Layout.LOOK_SHEET) > 0f);
     }
 
     /** Whether secondary rays may be tinted or split, and wait in a tile of branch rays. */
