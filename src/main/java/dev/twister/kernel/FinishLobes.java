@@ -86,17 +86,18 @@ final class FinishLobes {
     /**
      * Writes what the dielectric reflection leaves to the matte part in the direction of the ray's origin.
      *
+     * @param taken what it takes without a tint
      * @param part the part of the surface that reflects so
      */
     static void tint(float[] path, float taken, float part) {
-        float cosine = path[Layout.FOUND_COSINE];
-        float fresnel = Refraction.reflectance(cosine, path[Layout.RATIO]);
+        int tinted = path[Layout.IS_TINTED] > 0f ? 1 : 0;
+        float fresnel = part * Refraction.reflectance(path[Layout.FOUND_COSINE], path[Layout.RATIO]);
+        if (tinted != 0) {
+            meetFacet(path, path[Layout.FOUND_COSINE], fresnel);
+        }
         for (int channel = 0; channel < 3; channel++) {
-            float left = 1f - taken;
-            if (path[Layout.IS_TINTED] > 0f) {
-                float more = tinted(path, channel, cosine, part * fresnel) - part * fresnel;
-                left = left - path[Layout.FOUND_MIRROR] * more;
-            }
+            float more = tinted != 0 ? path[Layout.FACET_DIELECTRIC + channel] - fresnel : 0f;
+            float left = 1f - taken - (tinted != 0 ? path[Layout.FOUND_MIRROR] * more : 0f);
             path[Layout.UNDER_TINT + channel] = Math.min(Math.max(left, 0f), 1f);
         }
     }
@@ -137,39 +138,43 @@ final class FinishLobes {
     }
 
     /**
-     * The dielectric reflectance of one channel.
+     * Writes the reflectance of a facet of metal and of a dielectric one.
      *
      * @param cosine between the facet and the reversed ray
-     * @param fresnel the reflectance without a tint
+     * @param fresnel the dielectric reflectance without a tint
      */
-    static float tinted(float[] path, int channel, float cosine, float fresnel) {
+    static void meetFacet(float[] path, float cosine, float fresnel) {
         float ratio = path[Layout.RATIO];
         float passed = (float) Math.sqrt(Math.max(Refraction.passedSquared(cosine, ratio), 0f));
         float outer = ratio > 1f ? passed : cosine;
         float root = (path[Layout.IOR] - 1f) / (path[Layout.IOR] + 1f);
         float straight = root * root * (1f - path[Layout.SPECULAR_LOSS]);
-        float color = path[Layout.FINISH + Layout.FINISH_SPECULAR_COLOR + channel];
-        float away = 1f - outer;
-        float more = straight * (color - 1f) * (1f - away * away * away * away * away);
-        float tinted = Math.min(Math.max(fresnel + more, 0f), 1f);
-        tinted = filmed(path, channel, outer, Math.min(straight * color, 1f), tinted);
-        // Total internal reflection loses nothing.
-        return fresnel < 1f ? tinted : fresnel;
+        float schlick = schlick(cosine);
+        float outerSchlick = schlick(outer);
+        float film = path[Layout.FINISH + Layout.FINISH_FILM];
+        for (int channel = 0; channel < 3; channel++) {
+            float albedo = path[Layout.ALBEDO + channel];
+            float color = path[Layout.FINISH + Layout.FINISH_SPECULAR_COLOR + channel];
+            float metal = albedo + (1f - albedo) * schlick;
+            float dielectric =
+                    Math.min(Math.max(fresnel + straight * (color - 1f) * (1f - outerSchlick), 0f), 1f);
+            float filmedMetal = 0f;
+            float filmedDielectric = 0f;
+            if (film > 0f) {
+                filmedMetal = ThinFilm.reflectance(path, channel, cosine, albedo);
+                filmedDielectric = ThinFilm.reflectance(path, channel, outer, Math.min(straight * color, 1f));
+            }
+            path[Layout.FACET_METAL + channel] = metal + film * (filmedMetal - metal);
+            // Total internal reflection loses nothing.
+            path[Layout.FACET_DIELECTRIC + channel] =
+                    fresnel < 1f ? dielectric + film * (filmedDielectric - dielectric) : fresnel;
+        }
     }
 
-    /**
-     * The reflectance under the thin film, if there is one.
-     *
-     * @param straight the reflectance at the normal, without the film
-     * @param bare the reflectance at the cosine, without the film
-     */
-    static float filmed(float[] path, int channel, float cosine, float straight, float bare) {
-        float part = path[Layout.FINISH + Layout.FINISH_FILM];
-        float filmed = bare;
-        if (part > 0f) {
-            filmed = bare + part * (ThinFilm.reflectance(path, channel, cosine, straight) - bare);
-        }
-        return filmed;
+    /** {@code (1 - cosine)^5}. */
+    private static float schlick(float cosine) {
+        float away = 1f - cosine;
+        return away * away * away * away * away;
     }
 
     /**

@@ -852,7 +852,12 @@ public final class Layout {
     public static final int FOUND_GLASS = FINISH + FINISH_LENGTH + 20;
     public static final int FOUND_COSINE = FINISH + FINISH_LENGTH + 21;
 
-    public static final int FINISHED_PATH_LENGTH = FINISH + FINISH_LENGTH + 22;
+    /** The reflectance per channel of a facet of metal and of a dielectric one. */
+    public static final int FACET_METAL = FINISH + FINISH_LENGTH + 22;
+
+    public static final int FACET_DIELECTRIC = FINISH + FINISH_LENGTH + 25;
+
+    public static final int FINISHED_PATH_LENGTH = FINISH + FINISH_LENGTH + 28;
 
     /** The largest reflectivity, that of a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;

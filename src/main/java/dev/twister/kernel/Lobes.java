@@ -114,8 +114,7 @@ public final class Lobes {
         float again = path[Layout.PART_MIRROR] * (1f - once) / Math.max(meanAgain, LEAST_SQUARE);
         for (int channel = 0; channel < 3; channel++) {
             float albedo = path[Layout.ALBEDO + channel];
-            float bare = albedo + (1f - albedo) * MEAN_OF_SCHLICK;
-            float reflected = filmed(path, channel, cosine, albedo, bare, variant);
+            float reflected = albedo + (1f - albedo) * MEAN_OF_SCHLICK;
             path[Layout.SCATTERED_AGAIN + channel] =
                     again * reflected * reflected * mean / Math.max(1f - reflected * (1f - mean), LEAST_SQUARE);
         }
@@ -158,15 +157,6 @@ public final class Lobes {
         return albedo;
     }
 
-    /** A metal's reflectance under the finish's thin film, if there is one. */
-    private static float filmed(float[] path, int channel, float cosine, float straight, float bare, int variant) {
-        float filmed = bare;
-        if (FinishLobes.isOn(path, variant) != 0) {
-            filmed = FinishLobes.filmed(path, channel, cosine, straight, bare);
-        }
-        return filmed;
-    }
-
     /** The part of the dielectric reflectance that coats the matte part, which has no coat inside the body. */
     private static float coated(float[] path) {
         return isInside(path) != 0 ? 0f : 1f - path[Layout.SPECULAR_LOSS];
@@ -194,13 +184,14 @@ public final class Lobes {
         float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
         float fresnel = fresnel(path, cosine);
         float largest = largestAlbedo(path);
+        meetFacet(path, cosine, fresnel, variant);
         float mirror = mostReflected(path, cosine, fresnel, variant);
         float underCoat = path[Layout.UNDER_COAT] * path[Layout.MEAN_UNDER_COAT];
         float again = path[Layout.MEAN_AGAIN];
         float matte = Math.max(
                 Math.max(matte(path, 0, underCoat, again, variant), matte(path, 1, underCoat, again, variant)),
                 matte(path, 2, underCoat, again, variant));
-        float glass = mostPassed(path, cosine, fresnel, variant);
+        float glass = mostPassed(path, fresnel, variant);
         float finish = 0f;
         if (FinishLobes.isOn(path, variant) != 0) {
             matte = matte + path[Layout.SHEEN_ALBEDO];
@@ -234,31 +225,39 @@ public final class Lobes {
         return fresnel;
     }
 
-    /** The reflected part of one channel at a facet. */
+    /**
+     * Writes the reflectance of a facet under a finish, before what follows is asked of that facet.
+     *
+     * @param fresnel its reflectance without a finish
+     */
+    private static void meetFacet(float[] path, float cosine, float fresnel, int variant) {
+        if (FinishLobes.isOn(path, variant) != 0) {
+            FinishLobes.meetFacet(path, cosine, fresnel);
+        }
+    }
+
+    /** The reflected part of one channel at a facet, after {@link #meetFacet}. */
     private static float reflected(float[] path, int channel, float cosine, float fresnel, int variant) {
         float away = 1f - cosine;
         float schlick = path[Layout.IS_FRESNEL] != 0f ? away * away * away * away * away : 0f;
         float albedo = path[Layout.ALBEDO + channel];
-        float edge = filmed(path, channel, cosine, albedo, albedo + (1f - albedo) * schlick, variant);
+        float edge = albedo + (1f - albedo) * schlick;
         float metal = path[Layout.IS_FRESNEL] > 0f ? edge : 1f + path[Layout.METALLIC] * (edge - 1f);
-        return path[Layout.PART_MIRROR] * metal
-                + path[Layout.PART_COAT] * dielectric(path, channel, cosine, fresnel, variant);
-    }
-
-    /** One channel of the dielectric reflectance, of which {@link #fresnel} is that without a finish. */
-    private static float dielectric(float[] path, int channel, float cosine, float fresnel, int variant) {
-        float tinted = fresnel;
+        float reflected = path[Layout.PART_MIRROR] * metal + path[Layout.PART_COAT] * fresnel;
         if (FinishLobes.isOn(path, variant) != 0) {
-            tinted = FinishLobes.tinted(path, channel, cosine, fresnel);
+            reflected = path[Layout.PART_MIRROR] * path[Layout.FACET_METAL + channel]
+                    + path[Layout.PART_COAT] * path[Layout.FACET_DIELECTRIC + channel];
         }
-        return tinted;
+        return reflected;
     }
 
-    /** The part of one channel that passes a facet. */
-    private static float passed(float[] path, int channel, float cosine, float fresnel, int variant) {
-        return path[Layout.PART_GLASS]
-                * (1f - dielectric(path, channel, cosine, fresnel, variant))
-                * path[Layout.ALBEDO + channel];
+    /** The part of one channel that passes a facet, after {@link #meetFacet}. */
+    private static float passed(float[] path, int channel, float fresnel, int variant) {
+        float reflected = fresnel;
+        if (FinishLobes.isOn(path, variant) != 0) {
+            reflected = path[Layout.FACET_DIELECTRIC + channel];
+        }
+        return path[Layout.PART_GLASS] * (1f - reflected) * path[Layout.ALBEDO + channel];
     }
 
     /** The largest channel of what a facet reflects. */
@@ -269,10 +268,10 @@ public final class Lobes {
     }
 
     /** The largest channel of what passes a facet. */
-    private static float mostPassed(float[] path, float cosine, float fresnel, int variant) {
+    private static float mostPassed(float[] path, float fresnel, int variant) {
         return Math.max(
-                Math.max(passed(path, 0, cosine, fresnel, variant), passed(path, 1, cosine, fresnel, variant)),
-                passed(path, 2, cosine, fresnel, variant));
+                Math.max(passed(path, 0, fresnel, variant), passed(path, 1, fresnel, variant)),
+                passed(path, 2, fresnel, variant));
     }
 
     private static float largestAlbedo(float[] path) {
@@ -374,9 +373,10 @@ public final class Lobes {
         float weight = facets * Facet.weight(path[Layout.ROUGHNESS], in, out);
         float cosine = Math.min(Math.max(viewDotHalf, 0f), 1f);
         float fresnel = fresnel(path, cosine);
+        meetFacet(path, cosine, fresnel, variant);
         for (int channel = 0; channel < 3; channel++) {
             float part = passes != 0
-                    ? passed(path, channel, cosine, fresnel, variant)
+                    ? passed(path, channel, fresnel, variant)
                     : reflected(path, channel, cosine, fresnel, variant);
             path[Layout.SCATTERED + channel] = path[Layout.SCATTERED + channel] + weight * part;
         }
@@ -411,7 +411,7 @@ public final class Lobes {
         float share = 1f;
         if (path[Layout.PART_GLASS] > 0f) {
             float mirror = mostReflected(path, cosine, fresnel, variant);
-            float glass = mostPassed(path, cosine, fresnel, variant);
+            float glass = mostPassed(path, fresnel, variant);
             share = glass > 0f ? mirror / (mirror + glass) : 1f;
         }
         return share;
@@ -436,7 +436,9 @@ public final class Lobes {
             sampleFacet(path, first, second, variant);
             float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.FACET), 0f), 1f);
             float choice = path[Layout.CHOICE_MIRROR] + path[Layout.CHOICE_GLASS];
-            float mirrors = mirrorShare(path, cosine, fresnel(path, cosine), variant);
+            float fresnel = fresnel(path, cosine);
+            meetFacet(path, cosine, fresnel, variant);
+            float mirrors = mirrorShare(path, cosine, fresnel, variant);
             path[Layout.CHOICE_MIRROR] = choice * mirrors;
             path[Layout.CHOICE_GLASS] = choice * (1f - mirrors);
         }
@@ -555,6 +557,7 @@ public final class Lobes {
     private static void mirrorLike(float[] path, int glass, int coat, int variant) {
         float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.NORMAL), 0f), 1f);
         float fresnel = fresnel(path, cosine);
+        meetFacet(path, cosine, fresnel, variant);
         float choice = glass != 0 ? path[Layout.CHOICE_GLASS] : path[Layout.CHOICE_MIRROR];
         float faceOut = path[Layout.FACE] * path[Layout.NEXT_DIRECTION]
                 + path[Layout.FACE + 1] * path[Layout.NEXT_DIRECTION + 1]
@@ -575,7 +578,7 @@ public final class Lobes {
 
     private static float mirrored(float[] path, int channel, int glass, float cosine, float fresnel, int variant) {
         return glass != 0
-                ? passed(path, channel, cosine, fresnel, variant)
+                ? passed(path, channel, fresnel, variant)
                 : reflected(path, channel, cosine, fresnel, variant);
     }
 

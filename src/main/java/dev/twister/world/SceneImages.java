@@ -90,7 +90,8 @@ public record SceneImages(Skybox sky, Map<Path, TextureImage> textureByFile) {
                 .forEach(material -> names.addAll(material.finish().parts()));
         return names.isEmpty()
                 ? Optional.empty()
-                : Optional.of("not shown without path tracing: " + String.join(", ", names) + "; try --integrator path");
+                : Optional.of(
+                        "not shown without path tracing: " + String.join(", ", names) + "; try --integrator path");
     }
 
     /**

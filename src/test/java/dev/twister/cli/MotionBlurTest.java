@@ -40,7 +40,7 @@ class MotionBlurTest {
              "rendering": {"width": 64, "height": 36, "shadowSamples": 1, "bounces": 1, "samplesPerPixel": 64,
                "shutter": 1},
              "spheres": [{"position": [-2, 1, 0], "radius": 0.5, "color": [0.9, 0.3, 0.1], "reflectivity": 40}],
-             "meshes": [{"shape": "icosphere", "size": 2, "position": [1, 1.05, 0], "texture": "%s"}],
+             "meshes": [{"shape": "icosphere", "size": 2, "position": [1, 1.05, 0], "texture": "TEXTURE"}],
              "tracks": [
                {"target": "spheres[0]", "property": "position", "keyframes": [
                  {"time": 0, "value": [-2.4, 0.6, 0], "easing": "linear"}, {"time": 1, "value": [-0.6, 2.2, 0]}]},
@@ -62,7 +62,7 @@ class MotionBlurTest {
     void write() throws IOException {
         file = folder.resolve("scene.json");
         Path texture = Path.of("scenes", "textures", "earth.png").toAbsolutePath();
-        Files.writeString(file, SCENE.formatted(texture.toString().replace('\\', '/')));
+        Files.writeString(file, SCENE.replace("TEXTURE", texture.toString().replace('\\', '/')));
     }
 
     @ParameterizedTest

@@ -43,19 +43,12 @@ class FinishedBodiesTest {
     @ParameterizedTest
     @CsvSource({"0, -1", "0, 1", "30, -1", "30, 1"})
     void theGrainOfAMeshFollowsItsTextureCoordinates(double yaw, float side) {
-        Mesh quad = Mesh.of(Shape.of(Shape.Kind.QUAD, 2))
-                .withMaterial(BRUSHED)
-                .withRotation(new Rotation(yaw, 0, 0));
-        float[] path = met(scene().withMeshes(List.of(quad)), new float[] {0.1f, 5.2f, 3 * side}, new float[] {
-            0, 0, -side
-        });
+        Mesh quad = Mesh.of(Shape.of(Shape.Kind.QUAD, 2)).withMaterial(BRUSHED).withRotation(new Rotation(yaw, 0, 0));
+        float[] path =
+                met(scene().withMeshes(List.of(quad)), new float[] {0.1f, 5.2f, 3 * side}, new float[] {0, 0, -side});
 
         double turn = Math.toRadians(yaw);
-        assertVector(
-                path,
-                Math.cos(ANGLE) * Math.cos(turn),
-                Math.sin(ANGLE),
-                -Math.cos(ANGLE) * Math.sin(turn));
+        assertVector(path, Math.cos(ANGLE) * Math.cos(turn), Math.sin(ANGLE), -Math.cos(ANGLE) * Math.sin(turn));
     }
 
     /** The plane's images have their upper edge away from a camera that looks along z. */
@@ -63,8 +56,7 @@ class FinishedBodiesTest {
     @CsvSource({"1", "-1"})
     void theGrainOfThePlaneFollowsItsImages(float side) {
         Ground plane = Ground.of(10, 0, new Rgb(1, 1, 1), new Rgb(1, 1, 1), 0).withMaterial(BRUSHED);
-        float[] path = met(
-                scene().withGround(plane), new float[] {0.3f, 2 * side, 0.3f}, new float[] {0, -side, 0});
+        float[] path = met(scene().withGround(plane), new float[] {0.3f, 2 * side, 0.3f}, new float[] {0, -side, 0});
 
         assertVector(path, Math.cos(ANGLE), 0, Math.sin(ANGLE));
         assertThat(path[Layout.COAT_NORMAL + 1]).isEqualTo(side, within(1e-6f));
@@ -119,7 +111,9 @@ class FinishedBodiesTest {
 
     private static void start(float[] path, FrameInput input, float[] origin, float[] direction) {
         double[] shift = {
-            input.bodies().origin().x(), input.bodies().origin().y(), input.bodies().origin().z()
+            input.bodies().origin().x(),
+            input.bodies().origin().y(),
+            input.bodies().origin().z()
         };
         for (int axis = 0; axis < 3; axis++) {
             path[Layout.ORIGIN + axis] = (float) (origin[axis] - shift[axis]);

@@ -3,6 +3,7 @@ package dev.twister.mesh;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.mesh.gltf.AnimatedGltf;
+import dev.twister.mesh.gltf.FinishedGltf;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.ByteOrder;
@@ -35,7 +36,8 @@ class DamagedMeshesTest {
                     List.of(
                             MeshFiles.gltf(),
                             MeshFiles.glb(),
-                            AnimatedGltf.example().getBytes(StandardCharsets.UTF_8)));
+                            AnimatedGltf.example().getBytes(StandardCharsets.UTF_8),
+                            FinishedGltf.example().getBytes(StandardCharsets.UTF_8)));
 
     @Property(tries = 1000)
     void areReadOrRefused(@ForAll long seed) throws IOException {

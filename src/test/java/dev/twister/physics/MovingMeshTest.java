@@ -144,7 +144,7 @@ class MovingMeshTest {
     void isTheSameWithAnyNumberOfThreads() {
         List<Sphere> spheres = new ArrayList<>();
         for (int i = 0; i < 3000; i++) {
-            spheres.add(Motion.sphere(0.3 * (i % 20) - 3, 21 + 0.3 * (i / 400), 0.3 * (i / 20 % 20) - 3, 0.1));
+            spheres.add(Motion.sphere(0.3 * (i % 20) - 3, 21 + 0.3 * Math.floorDiv(i, 400), 0.3 * (i / 20 % 20) - 3, 0.1));
         }
         Scene scene = scene(
                 Physics.DEFAULT, new Vector3(0, 20, 0), new Vector3(0.5, 20.5, 0), 0.5, spheres.toArray(Sphere[]::new));

@@ -133,8 +133,8 @@ class SceneImagesTest {
                         BALL.withMaterial(Material.DEFAULT.withFinish(both)),
                         BALL.withMaterial(Material.DEFAULT
                                 .withReflectivity(9)
-                                .withFinish(Finish.NONE.withFilm(
-                                        Finish.NONE.film().withPart(1))))));
+                                .withFinish(
+                                        Finish.NONE.withFilm(Finish.NONE.film().withPart(1))))));
 
         SceneImages.read(scene, SceneMeshes.NONE, warnings::add);
         SceneImages.read(

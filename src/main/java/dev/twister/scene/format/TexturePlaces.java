@@ -39,8 +39,8 @@ public final class TexturePlaces {
     }
 
     private void add(Material material, JsonPath body) {
-        MaterialProperties.IMAGES.forEach(image ->
-                image.getter().apply(material).ifPresent(file -> add(file, body, image.name())));
+        MaterialProperties.IMAGES.forEach(
+                image -> image.getter().apply(material).ifPresent(file -> add(file, body, image.name())));
         material.images().forEach(file -> add(file, body, "texture"));
     }
 

@@ -245,7 +245,7 @@ class GltfSurroundingsTest {
         AnimatedGltf gltf = new AnimatedGltf();
         int times = gltf.accessor("SCALAR", 0, 1);
         int places = gltf.accessor("VEC3", 0, 0, 0, 4, 0, 0);
-        int turns = gltf.accessor("VEC4", 0, 0, 0, 1, 0, 0.70710678f, 0, 0.70710678f);
+        int turns = gltf.accessor("VEC4", 0, 0, 0, 1, 0, 0.70710677f, 0, 0.70710677f);
         String text = gltf.node(",\"camera\":0,\"name\":\"Eye\",\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}")
                 .channel(0, "translation", "LINEAR", times, places)
                 .channel(0, "rotation", "LINEAR", times, turns)
