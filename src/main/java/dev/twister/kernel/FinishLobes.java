@@ -156,8 +156,7 @@ final class FinishLobes {
             float albedo = path[Layout.ALBEDO + channel];
             float color = path[Layout.FINISH + Layout.FINISH_SPECULAR_COLOR + channel];
             float metal = albedo + (1f - albedo) * schlick;
-            float dielectric =
-                    Math.min(Math.max(fresnel + straight * (color - 1f) * (1f - outerSchlick), 0f), 1f);
+            float dielectric = Math.min(Math.max(fresnel + straight * (color - 1f) * (1f - outerSchlick), 0f), 1f);
             float filmedMetal = 0f;
             float filmedDielectric = 0f;
             if (film > 0f) {

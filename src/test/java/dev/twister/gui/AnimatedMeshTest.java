@@ -9,9 +9,16 @@ import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.mesh.gltf.AnimatedGltf;
+import dev.twister.scene.Camera;
+import dev.twister.scene.CameraKeyframe;
+import dev.twister.scene.Easing;
+import dev.twister.scene.Keyframe;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.MeshAnimation;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Track;
+import dev.twister.scene.TrackTarget;
+import dev.twister.scene.Vector3;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -142,5 +149,41 @@ class AnimatedMeshTest {
         driver.run(driver.studio::undo);
         assertThat(WindowDriver.call(driver.studio::scene).meshes().getFirst().animation())
                 .isEqualTo(MeshAnimation.of("move"));
+    }
+
+    /** For motion blur. */
+    @Test
+    void theSceneAroundATimeMovesUnlessItWasEdited() {
+        driver.run(() -> driver.studio.edit("edit", AnimatedMeshTest::withMovingCameraAndSphere));
+        driver.run(() -> driver.studio.film().goTo(1));
+
+        Scene before = played(-0.5);
+        assertThat(before.meshes().getFirst().animation().start()).isEqualTo(0.5);
+        assertThat(before.camera().position().x()).isCloseTo(1, within(1e-9));
+        assertThat(before.spheres().getFirst().radius()).isCloseTo(1.5, within(1e-9));
+        assertThat(played(0).camera().position().x()).isCloseTo(2, within(1e-9));
+
+        driver.run(() -> driver.studio.moveCamera(camera -> camera.withYawDegrees(7)));
+        driver.run(() -> driver.studio.edit(
+                "edit",
+                scene -> scene.withSpheres(List.of(scene.spheres().getFirst().withRadius(5)))));
+
+        assertThat(played(-0.5).camera()).isEqualTo(played(0).camera());
+        assertThat(played(-0.5).spheres()).isEqualTo(played(0).spheres());
+        assertThat(played(-0.5).meshes().getFirst().animation().start()).isEqualTo(0.5);
+    }
+
+    private static Scene played(double later) {
+        return WindowDriver.call(() -> driver.studio.film().played(driver.studio.scene(), later));
+    }
+
+    private static Scene withMovingCameraAndSphere(Scene scene) {
+        Camera camera = scene.camera();
+        Track growing = Track.of(
+                TrackTarget.sphere(0), "radius", Keyframe.of(0, 1).withEasing(Easing.LINEAR), Keyframe.of(2, 3));
+        return scene.withCamera(camera.withKeyframes(List.of(
+                        CameraKeyframe.of(0, camera.withPosition(new Vector3(0, 1, 0))),
+                        CameraKeyframe.of(2, camera.withPosition(new Vector3(4, 1, 0))))))
+                .withTracks(List.of(growing));
     }
 }

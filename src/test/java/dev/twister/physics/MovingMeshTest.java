@@ -35,7 +35,7 @@ class MovingMeshTest {
     /** On a platform that rises by 2 m/s for 2 s, then stops. */
     @Test
     void aPlatformCarriesWhatIsOnIt() {
-        Scene scene = scene(Physics.DEFAULT, new Vector3(0, 20, 0), new Vector3(0, 24, 0), 2, onTop(20.5));
+        Scene scene = scene(Physics.DEFAULT, new Vector3(0, 20, 0), new Vector3(0, 24, 0), 2, above(20.5));
         try (Simulation simulation = film(scene, 0)) {
             for (int step = 1; step <= 360; step++) {
                 simulation.step();
@@ -54,7 +54,7 @@ class MovingMeshTest {
     @Test
     void frictionTakesSpheresAlong() {
         Physics physics = Physics.DEFAULT.withFriction(1);
-        Scene scene = scene(physics, new Vector3(-3, 20, 0), new Vector3(3, 20, 0), 3, onTop(20.5));
+        Scene scene = scene(physics, new Vector3(-3, 20, 0), new Vector3(3, 20, 0), 3, above(20.5));
         try (Simulation simulation = film(scene, 0)) {
             Motion.run(simulation, 2);
 
@@ -129,7 +129,7 @@ class MovingMeshTest {
 
     @Test
     void sleepersWakeWhenTheirGroundMoves() {
-        Scene scene = scene(Physics.DEFAULT, new Vector3(0, 20, 0), new Vector3(0, 21, 0), 1, onTop(20.5));
+        Scene scene = scene(Physics.DEFAULT, new Vector3(0, 20, 0), new Vector3(0, 21, 0), 1, above(20.5));
         try (Simulation simulation = film(scene, 3)) {
             Motion.run(simulation, 3);
             assertThat(Motion.sleepers(simulation)).isOne();
@@ -144,7 +144,8 @@ class MovingMeshTest {
     void isTheSameWithAnyNumberOfThreads() {
         List<Sphere> spheres = new ArrayList<>();
         for (int i = 0; i < 3000; i++) {
-            spheres.add(Motion.sphere(0.3 * (i % 20) - 3, 21 + 0.3 * Math.floorDiv(i, 400), 0.3 * (i / 20 % 20) - 3, 0.1));
+            spheres.add(
+                    Motion.sphere(0.3 * (i % 20) - 3, 21 + 0.3 * Math.floorDiv(i, 400), 0.3 * (i / 20 % 20) - 3, 0.1));
         }
         Scene scene = scene(
                 Physics.DEFAULT, new Vector3(0, 20, 0), new Vector3(0.5, 20.5, 0), 0.5, spheres.toArray(Sphere[]::new));
@@ -166,7 +167,7 @@ class MovingMeshTest {
         }
     }
 
-    private static Sphere onTop(double top) {
+    private static Sphere above(double top) {
         return Motion.sphere(0.1, top + RADIUS, 0.1, RADIUS);
     }
 

@@ -13,10 +13,14 @@ import dev.twister.engine.FakeEngine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.image.PictureSize;
+import dev.twister.scene.generate.SceneGenerator;
+import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
+import dev.twister.world.World;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
@@ -107,6 +111,44 @@ class DeviceCheckTest {
         assertThat(checked.passed()).isTrue();
         assertThat(checked.compileSeconds()).isEmpty();
         assertThat(row(checked)).contains("| - ", "within tolerance");
+    }
+
+    /** Other scenes, whose kernels take more or less time, may come and go. */
+    @Test
+    void compilingIsMeasuredInTheTimedScene() {
+        List<Integer> bodies = new ArrayList<>();
+        World timed = World.of(SceneGenerator.spheres(7, 1, Path.of("sky.hdr")), new Skybox(1, 1, new float[3]));
+        int count = timed.snapshot().bodyCount();
+        CheckedScene scene = new CheckedScene("timed", timed);
+
+        new DeviceCheck(PLAN, List.of(SCENE, scene), scene)
+                .check(offer("tornado:9:9", () -> new Listening(new Device(), bodies)), BenchmarkProgress.SILENT);
+
+        assertThat(bodies).startsWith(count, count, SCENE.world().snapshot().bodyCount(), count);
+    }
+
+    /** Tells how many bodies its frames have. */
+    private record Listening(Engine engine, List<Integer> bodies) implements Engine {
+        @Override
+        public String id() {
+            return engine.id();
+        }
+
+        @Override
+        public String device() {
+            return engine.device();
+        }
+
+        @Override
+        public void render(FrameInput input, Frame frame) {
+            bodies.add(input.bodyCount());
+            engine.render(input, frame);
+        }
+
+        @Override
+        public void close() {
+            engine.close();
+        }
     }
 
     @Test
