@@ -45,6 +45,9 @@ public final class MeshStage {
     /** Few, because each sample traverses the triangles, and the picture at rest is refined. */
     private static final int SHADOW_SAMPLES = 16;
 
+    /** Of a file with glass: through both walls of a vessel, to what is in it or behind it, and to the light. */
+    private static final int GLASS_BOUNCES = 8;
+
     private static final double YAW_DEGREES = 20;
     private static final double PITCH_DEGREES = 15;
     private static final double FIELD_OF_VIEW_DEGREES = 40;
@@ -134,9 +137,15 @@ public final class MeshStage {
                 .withViews(around.cameras().stream().map(FileCamera::view).toList())
                 .withLights(around.lights().isEmpty() ? Lights.of(lamp(DAY)) : lights.of(around.lights(), scale))
                 .withTracks(moving.tracks())
-                .withRendering(Rendering.DEFAULT.withShadowSamples(SHADOW_SAMPLES))
+                .withRendering(
+                        Rendering.DEFAULT.withShadowSamples(SHADOW_SAMPLES).withBounces(bounces(held)))
                 .withGround(Ground.of(PLANE_SIZE, PLANE_HEIGHT, BRIGHT, DARK, 0))
                 .withMeshes(List.of(mesh));
+    }
+
+    private static int bounces(MeshFile held) {
+        boolean glass = held.parts().stream().anyMatch(part -> part.material().transmission() > 0);
+        return glass ? GLASS_BOUNCES : Rendering.DEFAULT.bounces();
     }
 
     /**
