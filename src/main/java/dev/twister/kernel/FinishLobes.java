@@ -188,10 +188,12 @@ final class FinishLobes {
         int below = (cosineOut < 0f ? 1 : 0) & (faceOut < 0f ? 1 : 0);
         float density = 0f;
         if (above != 0) {
-            float sheen = path[Layout.COVER_SHEEN] * cosineOut * Sheen.evaluate(path, x, y, z, cosineOut, looks);
-            for (int channel = 0; channel < 3; channel++) {
-                path[Layout.SCATTERED + channel] =
-                        path[Layout.SCATTERED + channel] + sheen * path[Layout.FINISH + Layout.FINISH_SHEEN + channel];
+            if (path[Layout.SHEEN_ALBEDO] > 0f) {
+                float sheen = path[Layout.COVER_SHEEN] * cosineOut * Sheen.evaluate(path, x, y, z, cosineOut, looks);
+                for (int channel = 0; channel < 3; channel++) {
+                    path[Layout.SCATTERED + channel] =
+                            path[Layout.SCATTERED + channel] + sheen * path[Layout.FINISH + Layout.FINISH_SHEEN + channel];
+                }
             }
             density = ClearCoat.evaluate(path, x, y, z);
         }

@@ -28,7 +28,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class FinishTest {
     private static final int BODY = Layout.FIRST_SPHERE;
     private static final int VARIANT = Variant.MATERIALS | Variant.MAPS | Variant.PATH | Variant.FINISH;
-    private static final int TRIES = 3000;
+    private static final int TRIES = 2000;
 
     /** Numbers of later bounces are hashed, so that they need no table of samples. */
     private static final int BOUNCE = 10;
@@ -41,6 +41,7 @@ class FinishTest {
     private static final Finish FILM = NONE.withFilm(NONE.film().withPart(1));
     private static final Finish LEAF = NONE.withThrough(NONE.through().withPart(0.7));
 
+    private final LookTable table = new LookTable();
     private final float[] frame = new float[Layout.DISC];
     private final float[] path = new float[Layout.FINISHED_PATH_LENGTH];
     private float[] looks = {};
@@ -113,7 +114,7 @@ class FinishTest {
         start(0, 0.6f, 0.7f);
         Lobes.prepare(path, BODY, BOUNCE, frame, looks, VARIANT);
         Random random = new Random(20261128);
-        int tries = 40_000;
+        int tries = 30_000;
         double density = 0;
         double[] scattered = new double[3];
         for (int i = 0; i < tries; i++) {
@@ -186,6 +187,7 @@ class FinishTest {
         Arrays.fill(path, Layout.SCATTERED_AGAIN, Layout.SCATTERED_AGAIN + 3, 0);
         path[Layout.COVER_COAT] = coat;
         path[Layout.COVER_SHEEN] = sheen;
+        path[Layout.SHEEN_ALBEDO] = sheen;
         Lobes.evaluate(path, to[0], to[1], to[2], looks, VARIANT);
         return path[Layout.SCATTERED + 1];
     }
@@ -326,7 +328,6 @@ class FinishTest {
     }
 
     private void look(Material material) {
-        LookTable table = new LookTable();
         table.put(
                 Lights.of(Light.of(new Vector3(0, 9, 0), 1, new Rgb(1, 1, 1))),
                 Ground.of(1, 0, new Rgb(0, 0, 0), new Rgb(0, 0, 0), 0),

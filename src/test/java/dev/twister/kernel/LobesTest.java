@@ -65,12 +65,12 @@ class LobesTest {
                 .map(Arguments::of);
     }
 
-    private final Map<Float, float[]> looksOfIndices = new HashMap<>();
+    private final Map<Material, float[]> looksOfMaterials = new HashMap<>();
 
-    /** Looks with the tables of an index of refraction. */
-    private float[] looks(float ior) {
-        return looksOfIndices.computeIfAbsent(ior, index -> {
-            Material material = Material.DEFAULT.withRoughness(0.5).withIor(Math.max(1, index));
+    /** Looks with the tables of an index of refraction and a roughness. */
+    private float[] looks(float ior, float roughness) {
+        Material white = Material.DEFAULT.withMetallic(0.5).withRoughness(roughness);
+        return looksOfMaterials.computeIfAbsent(white.withIor(Math.max(1, ior)), material -> {
             LookTable table = new LookTable();
             table.put(
                     Lights.of(Light.of(new Vector3(0, 9, 0), 1, new Rgb(1, 1, 1))),
@@ -194,7 +194,7 @@ class LobesTest {
 
     /** A ray in the plane y = 0 that meets a surface with the normal (0, 0, 1). */
     private void start(Surfaces surface, float albedo) {
-        looks = looks(surface.ior());
+        looks = looks(surface.ior(), surface.roughness());
         path[Layout.METALLIC] = surface.metallic() < 0 ? -1 - surface.metallic() : surface.metallic();
         path[Layout.IS_FRESNEL] = surface.metallic() < 0 ? 1 : 0;
         path[Layout.PIXEL_SAMPLE] = frame[Layout.SAMPLES];

@@ -3,8 +3,11 @@ package dev.twister.world.table;
 import dev.twister.kernel.DirectionalAlbedo;
 import dev.twister.kernel.Layout;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.SequencedMap;
 import java.util.stream.IntStream;
 
 /** The tables of {@link DirectionalAlbedo} in {@code looks}, for the indices of refraction of a scene. */
@@ -20,48 +23,92 @@ final class AlbedoTables {
     private static final int LATTICE = 233;
     private static final double LEAST_COSINE = 1e-4;
 
-    /** In place of a number of steps: the table of the sheen. */
-    private static final int SHEEN = Integer.MAX_VALUE;
+    /** By the number of steps from glass. */
+    private final Map<Integer, Rows> computed = new HashMap<>();
 
-    /** By the number of steps from glass, or {@link #SHEEN}. */
-    private final Map<Integer, float[]> computed = new HashMap<>();
+    private float[] sheen = {};
+
+    /** The tables of an index of refraction, of which the rows of some roughnesses are filled. */
+    private static final class Rows {
+        final float[] tables = new float[DirectionalAlbedo.TABLES * DirectionalAlbedo.TABLE_LENGTH];
+        final BitSet filled = new BitSet();
+    }
 
     /** Appends the tables that the bodies need, and writes their places into the bodies' looks and finishes. */
     float[] appendTo(float[] looks, int bodies) {
-        Map<Integer, Integer> places = new HashMap<>();
-        float[] all = looks;
+        SequencedMap<Integer, BitSet> needed = new LinkedHashMap<>();
+        boolean finished = false;
         for (int look = 0; look < Layout.LOOK_STRIDE * bodies; look += Layout.LOOK_STRIDE) {
             if (looks[look + Layout.LOOK_FRESNEL] > 0) {
-                int steps = (int) Math.round(Math.log(looks[look + Layout.LOOK_IOR] / GLASS) / STEP);
-                all = append(all, steps, places);
-                all[look + Layout.LOOK_ALBEDOS] = places.get(steps);
+                BitSet rows = needed.computeIfAbsent(steps(looks, look), _ -> new BitSet());
+                need(rows, looks[look + Layout.LOOK_ROUGHNESS], looks[look + Layout.LOOK_MAPS] > 0);
             }
             int finish = (int) looks[look + Layout.LOOK_FINISH];
             if (finish > 0) {
-                all = append(append(all, 0, places), SHEEN, places);
+                finished = true;
+                float map = looks[finish + Layout.FINISH_MAPS_COAT_ROUGHNESS + Layout.MAP_WIDTH];
+                BitSet rows = needed.computeIfAbsent(0, _ -> new BitSet());
+                need(rows, looks[finish + Layout.FINISH_COAT_ROUGHNESS], map > 0);
+            }
+        }
+        Map<Integer, Integer> places = new HashMap<>();
+        float[] all = looks;
+        for (Map.Entry<Integer, BitSet> entry : needed.entrySet()) {
+            places.put(entry.getKey(), all.length);
+            all = append(all, tables(entry.getKey(), entry.getValue()));
+        }
+        int sheens = all.length;
+        if (finished) {
+            sheen = sheen.length == 0 ? SheenTables.compute() : sheen;
+            all = append(all, sheen);
+        }
+        for (int look = 0; look < Layout.LOOK_STRIDE * bodies; look += Layout.LOOK_STRIDE) {
+            if (looks[look + Layout.LOOK_FRESNEL] > 0) {
+                all[look + Layout.LOOK_ALBEDOS] = places.get(steps(looks, look));
+            }
+            int finish = (int) looks[look + Layout.LOOK_FINISH];
+            if (finish > 0) {
                 all[finish + Layout.FINISH_COAT_ALBEDO] =
                         places.get(0) + DirectionalAlbedo.COAT * DirectionalAlbedo.TABLE_LENGTH;
-                all[finish + Layout.FINISH_SHEEN_ALBEDO] = places.get(SHEEN);
+                all[finish + Layout.FINISH_SHEEN_ALBEDO] = sheens;
             }
         }
         return all;
     }
 
-    private float[] append(float[] looks, int steps, Map<Integer, Integer> places) {
-        if (places.putIfAbsent(steps, looks.length) != null) {
-            return looks;
-        }
-        float[] tables = computed.computeIfAbsent(steps, key -> key == SHEEN ? SheenTables.compute() : compute(key));
+    private static int steps(float[] looks, int look) {
+        return (int) Math.round(Math.log(looks[look + Layout.LOOK_IOR] / GLASS) / STEP);
+    }
+
+    /** Adds the rows on both sides of a roughness, and those of smooth surfaces; all if a map varies it. */
+    private static void need(BitSet rows, float roughness, boolean mapped) {
+        int last = DirectionalAlbedo.ROUGHNESSES - 1;
+        int upper = Math.min((int) (roughness * last), last - 1);
+        rows.set(0, 2);
+        rows.set(mapped ? 0 : upper, mapped ? last + 1 : upper + 2);
+    }
+
+    private static float[] append(float[] looks, float[] tables) {
         float[] all = Arrays.copyOf(looks, looks.length + tables.length);
         System.arraycopy(tables, 0, all, looks.length, tables.length);
         return all;
     }
 
-    private static float[] compute(int steps) {
-        double ior = GLASS * Math.exp(steps * STEP);
-        float[] tables = new float[DirectionalAlbedo.TABLES * DirectionalAlbedo.TABLE_LENGTH];
-        int places = DirectionalAlbedo.COSINES * DirectionalAlbedo.ROUGHNESSES;
-        IntStream.range(0, places).parallel().forEach(place -> {
+    private float[] tables(int steps, BitSet needed) {
+        Rows rows = computed.computeIfAbsent(steps, _ -> new Rows());
+        BitSet missing = (BitSet) needed.clone();
+        missing.andNot(rows.filled);
+        fill(rows.tables, missing, GLASS * Math.exp(steps * STEP));
+        rows.filled.or(missing);
+        return rows.tables;
+    }
+
+    private static void fill(float[] tables, BitSet rows, double ior) {
+        int[] places = rows.stream()
+                .flatMap(row -> IntStream.range(0, DirectionalAlbedo.COSINES)
+                        .map(column -> row * DirectionalAlbedo.COSINES + column))
+                .toArray();
+        Arrays.stream(places).parallel().forEach(place -> {
             int row = place / DirectionalAlbedo.COSINES;
             double root = (place - DirectionalAlbedo.COSINES * row) / (DirectionalAlbedo.COSINES - 1.0);
             double roughness = row / (DirectionalAlbedo.ROUGHNESSES - 1.0);
@@ -70,12 +117,12 @@ final class AlbedoTables {
                 tables[table * DirectionalAlbedo.TABLE_LENGTH + place] = (float) albedos[table];
             }
         });
+        int means = DirectionalAlbedo.COSINES * DirectionalAlbedo.ROUGHNESSES;
         for (int table = 0; table < tables.length; table += DirectionalAlbedo.TABLE_LENGTH) {
-            for (int row = 0; row < DirectionalAlbedo.ROUGHNESSES; row++) {
-                tables[table + places + row] = mean(tables, table + row * DirectionalAlbedo.COSINES);
-            }
+            int first = table;
+            rows.stream().forEach(row -> tables[first + means + row] =
+                    mean(tables, first + row * DirectionalAlbedo.COSINES));
         }
-        return tables;
     }
 
     /** The integral of a row, linear over the root u of the cosine, times 4 u^3 du. */

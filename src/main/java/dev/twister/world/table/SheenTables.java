@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 
 /** The two tables of {@link Sheen}: the albedo, and what divides the reflectance so that the albedo is at most 1. */
 final class SheenTables {
-    private static final int STEPS = 32;
+    private static final int STEPS = 24;
     private static final double LEAST_COSINE = 1e-4;
 
     private SheenTables() {}
@@ -20,10 +20,12 @@ final class SheenTables {
             int most = DirectionalAlbedo.TABLE_LENGTH + row * DirectionalAlbedo.COSINES;
             Arrays.fill(tables, most, most + DirectionalAlbedo.COSINES, 1);
             double[] whole = albedos(tables, most, alpha);
+            boolean tooMuch = false;
             for (int column = 0; column < whole.length; column++) {
                 tables[most + column] = (float) Math.max(1, whole[column]);
+                tooMuch |= whole[column] > 1;
             }
-            double[] kept = albedos(tables, most, alpha);
+            double[] kept = tooMuch ? albedos(tables, most, alpha) : whole;
             for (int column = 0; column < kept.length; column++) {
                 tables[row * DirectionalAlbedo.COSINES + column] = (float) kept[column];
             }
