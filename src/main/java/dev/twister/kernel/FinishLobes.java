@@ -191,8 +191,8 @@ final class FinishLobes {
             if (path[Layout.SHEEN_ALBEDO] > 0f) {
                 float sheen = path[Layout.COVER_SHEEN] * cosineOut * Sheen.evaluate(path, x, y, z, cosineOut, looks);
                 for (int channel = 0; channel < 3; channel++) {
-                    path[Layout.SCATTERED + channel] =
-                            path[Layout.SCATTERED + channel] + sheen * path[Layout.FINISH + Layout.FINISH_SHEEN + channel];
+                    path[Layout.SCATTERED + channel] = path[Layout.SCATTERED + channel]
+                            + sheen * path[Layout.FINISH + Layout.FINISH_SHEEN + channel];
                 }
             }
             density = ClearCoat.evaluate(path, x, y, z);

@@ -41,7 +41,7 @@ final class AlbedoTables {
         for (int look = 0; look < Layout.LOOK_STRIDE * bodies; look += Layout.LOOK_STRIDE) {
             if (looks[look + Layout.LOOK_FRESNEL] > 0) {
                 BitSet rows = needed.computeIfAbsent(steps(looks, look), _ -> new BitSet());
-                need(rows, looks[look + Layout.LOOK_ROUGHNESS], looks[look + Layout.LOOK_MAPS] > 0);
+                need(rows, looks[look + Layout.LOOK_ROUGHNESS], hasRoughnessMap(looks, look, bodies));
             }
             int finish = (int) looks[look + Layout.LOOK_FINISH];
             if (finish > 0) {
@@ -74,6 +74,13 @@ final class AlbedoTables {
             }
         }
         return all;
+    }
+
+    /** The maps' table follows the bodies. */
+    private static boolean hasRoughnessMap(float[] looks, int look, int bodies) {
+        int maps = (int) looks[look + Layout.LOOK_MAPS];
+        int row = Layout.LOOK_STRIDE * bodies + Layout.MAPS_STRIDE * (maps - 1);
+        return maps > 0 && looks[row + Layout.MAPS_ROUGHNESS + Layout.MAP_WIDTH] > 0;
     }
 
     private static int steps(float[] looks, int look) {
@@ -120,8 +127,9 @@ final class AlbedoTables {
         int means = DirectionalAlbedo.COSINES * DirectionalAlbedo.ROUGHNESSES;
         for (int table = 0; table < tables.length; table += DirectionalAlbedo.TABLE_LENGTH) {
             int first = table;
-            rows.stream().forEach(row -> tables[first + means + row] =
-                    mean(tables, first + row * DirectionalAlbedo.COSINES));
+            rows.stream()
+                    .forEach(
+                            row -> tables[first + means + row] = mean(tables, first + row * DirectionalAlbedo.COSINES));
         }
     }
 
