@@ -107,7 +107,22 @@ final class AlbedoTables {
         missing.andNot(rows.filled);
         fill(rows.tables, missing, GLASS * Math.exp(steps * STEP));
         rows.filled.or(missing);
-        return rows.tables;
+        return only(needed, rows.tables);
+    }
+
+    /** The rows alone that are needed, so that the same scene always has the same tables. */
+    private static float[] only(BitSet rows, float[] tables) {
+        float[] only = new float[tables.length];
+        int means = DirectionalAlbedo.COSINES * DirectionalAlbedo.ROUGHNESSES;
+        for (int table = 0; table < tables.length; table += DirectionalAlbedo.TABLE_LENGTH) {
+            int first = table;
+            rows.stream().forEach(row -> {
+                int at = first + row * DirectionalAlbedo.COSINES;
+                System.arraycopy(tables, at, only, at, DirectionalAlbedo.COSINES);
+                only[first + means + row] = tables[first + means + row];
+            });
+        }
+        return only;
     }
 
     private static void fill(float[] tables, BitSet rows, double ior) {
