@@ -23,21 +23,51 @@ final class AlbedoTables {
     private static final int LATTICE = 233;
     private static final double LEAST_COSINE = 1e-4;
 
+    private static final int COAT_MAP = Layout.FINISH_MAPS_COAT_ROUGHNESS;
+    private static final int SHEEN_MAP = Layout.FINISH_MAPS_SHEEN_ROUGHNESS;
+
     /** By the number of steps from glass. */
     private final Map<Integer, Rows> computed = new HashMap<>();
 
-    private float[] sheen = {};
+    private final Rows sheen = new Rows(SheenTables.TABLES);
 
-    /** The tables of an index of refraction, of which the rows of some roughnesses are filled. */
+    /** Tables of which the rows of some roughnesses are filled. */
     private static final class Rows {
-        final float[] tables = new float[DirectionalAlbedo.TABLES * DirectionalAlbedo.TABLE_LENGTH];
+        final float[] tables;
         final BitSet filled = new BitSet();
+
+        Rows(int count) {
+            tables = new float[count * DirectionalAlbedo.TABLE_LENGTH];
+        }
+
+        /** Those that are needed and not yet filled, which are now to be. */
+        BitSet missing(BitSet needed) {
+            BitSet missing = (BitSet) needed.clone();
+            missing.andNot(filled);
+            filled.or(needed);
+            return missing;
+        }
+
+        /** The rows alone that are needed, so that the same scene always has the same tables. */
+        float[] only(BitSet needed) {
+            float[] only = new float[tables.length];
+            int means = DirectionalAlbedo.COSINES * DirectionalAlbedo.ROUGHNESSES;
+            for (int table = 0; table < tables.length; table += DirectionalAlbedo.TABLE_LENGTH) {
+                int first = table;
+                needed.stream().forEach(row -> {
+                    int at = first + row * DirectionalAlbedo.COSINES;
+                    System.arraycopy(tables, at, only, at, DirectionalAlbedo.COSINES);
+                    only[first + means + row] = tables[first + means + row];
+                });
+            }
+            return only;
+        }
     }
 
     /** Appends the tables that the bodies need, and writes their places into the bodies' looks and finishes. */
     float[] appendTo(float[] looks, int bodies) {
         SequencedMap<Integer, BitSet> needed = new LinkedHashMap<>();
-        boolean finished = false;
+        BitSet sheens = new BitSet();
         for (int look = 0; look < Layout.LOOK_STRIDE * bodies; look += Layout.LOOK_STRIDE) {
             if (looks[look + Layout.LOOK_FRESNEL] > 0) {
                 BitSet rows = needed.computeIfAbsent(steps(looks, look), _ -> new BitSet());
@@ -45,10 +75,13 @@ final class AlbedoTables {
             }
             int finish = (int) looks[look + Layout.LOOK_FINISH];
             if (finish > 0) {
-                finished = true;
-                float map = looks[finish + Layout.FINISH_MAPS_COAT_ROUGHNESS + Layout.MAP_WIDTH];
-                BitSet rows = needed.computeIfAbsent(0, _ -> new BitSet());
-                need(rows, looks[finish + Layout.FINISH_COAT_ROUGHNESS], map > 0);
+                if (looks[finish + Layout.FINISH_COAT] > 0) {
+                    BitSet rows = needed.computeIfAbsent(0, _ -> new BitSet());
+                    need(rows, looks[finish + Layout.FINISH_COAT_ROUGHNESS], hasMap(looks, finish, COAT_MAP));
+                }
+                if (hasSheen(looks, finish)) {
+                    need(sheens, looks[finish + Layout.FINISH_SHEEN_ROUGHNESS], hasMap(looks, finish, SHEEN_MAP));
+                }
             }
         }
         Map<Integer, Integer> places = new HashMap<>();
@@ -57,10 +90,10 @@ final class AlbedoTables {
             places.put(entry.getKey(), all.length);
             all = append(all, tables(entry.getKey(), entry.getValue()));
         }
-        int sheens = all.length;
-        if (finished) {
-            sheen = sheen.length == 0 ? SheenTables.compute() : sheen;
-            all = append(all, sheen);
+        int sheenPlace = all.length;
+        if (!sheens.isEmpty()) {
+            SheenTables.fill(sheen.tables, sheen.missing(sheens));
+            all = append(all, sheen.only(sheens));
         }
         for (int look = 0; look < Layout.LOOK_STRIDE * bodies; look += Layout.LOOK_STRIDE) {
             if (looks[look + Layout.LOOK_FRESNEL] > 0) {
@@ -68,9 +101,11 @@ final class AlbedoTables {
             }
             int finish = (int) looks[look + Layout.LOOK_FINISH];
             if (finish > 0) {
+                // The place of any table where there is no coat or sheen.
+                int coat = places.getOrDefault(0, (int) all[look + Layout.LOOK_ALBEDOS]);
                 all[finish + Layout.FINISH_COAT_ALBEDO] =
-                        places.get(0) + DirectionalAlbedo.COAT * DirectionalAlbedo.TABLE_LENGTH;
-                all[finish + Layout.FINISH_SHEEN_ALBEDO] = sheens;
+                        coat + DirectionalAlbedo.COAT * DirectionalAlbedo.TABLE_LENGTH;
+                all[finish + Layout.FINISH_SHEEN_ALBEDO] = sheens.isEmpty() ? coat : sheenPlace;
             }
         }
         return all;
@@ -102,27 +137,18 @@ final class AlbedoTables {
     }
 
     private float[] tables(int steps, BitSet needed) {
-        Rows rows = computed.computeIfAbsent(steps, _ -> new Rows());
-        BitSet missing = (BitSet) needed.clone();
-        missing.andNot(rows.filled);
-        fill(rows.tables, missing, GLASS * Math.exp(steps * STEP));
-        rows.filled.or(missing);
-        return only(needed, rows.tables);
+        Rows rows = computed.computeIfAbsent(steps, _ -> new Rows(DirectionalAlbedo.TABLES));
+        fill(rows.tables, rows.missing(needed), GLASS * Math.exp(steps * STEP));
+        return rows.only(needed);
     }
 
-    /** The rows alone that are needed, so that the same scene always has the same tables. */
-    private static float[] only(BitSet rows, float[] tables) {
-        float[] only = new float[tables.length];
-        int means = DirectionalAlbedo.COSINES * DirectionalAlbedo.ROUGHNESSES;
-        for (int table = 0; table < tables.length; table += DirectionalAlbedo.TABLE_LENGTH) {
-            int first = table;
-            rows.stream().forEach(row -> {
-                int at = first + row * DirectionalAlbedo.COSINES;
-                System.arraycopy(tables, at, only, at, DirectionalAlbedo.COSINES);
-                only[first + means + row] = tables[first + means + row];
-            });
-        }
-        return only;
+    private static boolean hasMap(float[] looks, int finish, int map) {
+        return looks[finish + map + Layout.MAP_WIDTH] > 0;
+    }
+
+    private static boolean hasSheen(float[] looks, int finish) {
+        int color = finish + Layout.FINISH_SHEEN;
+        return looks[color] + looks[color + 1] + looks[color + 2] > 0;
     }
 
     private static void fill(float[] tables, BitSet rows, double ior) {

@@ -3,18 +3,19 @@ package dev.twister.world.table;
 import dev.twister.kernel.DirectionalAlbedo;
 import dev.twister.kernel.Sheen;
 import java.util.Arrays;
-import java.util.stream.IntStream;
+import java.util.BitSet;
 
 /** The two tables of {@link Sheen}: the albedo, and what divides the reflectance so that the albedo is at most 1. */
 final class SheenTables {
+    static final int TABLES = 2;
     private static final int STEPS = 24;
     private static final double LEAST_COSINE = 1e-4;
 
     private SheenTables() {}
 
-    static float[] compute() {
-        float[] tables = new float[2 * DirectionalAlbedo.TABLE_LENGTH];
-        IntStream.range(0, DirectionalAlbedo.ROUGHNESSES).parallel().forEach(row -> {
+    /** Fills rows of both tables. */
+    static void fill(float[] tables, BitSet rows) {
+        Arrays.stream(rows.stream().toArray()).parallel().forEach(row -> {
             double roughness = row / (DirectionalAlbedo.ROUGHNESSES - 1.0);
             double alpha = Math.max(roughness * roughness, Sheen.LEAST_ALPHA);
             int most = DirectionalAlbedo.TABLE_LENGTH + row * DirectionalAlbedo.COSINES;
@@ -30,7 +31,6 @@ final class SheenTables {
                 tables[row * DirectionalAlbedo.COSINES + column] = (float) kept[column];
             }
         });
-        return tables;
     }
 
     /** The integrals over outgoing directions, divided by a row of the second table for both directions. */
