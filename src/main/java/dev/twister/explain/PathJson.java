@@ -82,9 +82,11 @@ public final class PathJson {
         tree.put("normal", vector(scattering.normal()));
         tree.put("albedo", rgb(scattering.albedo()));
         tree.put("roughness", number(scattering.roughness()));
-        tree.put("mirrorProbability", number(scattering.mirror()));
-        tree.put("matteProbability", number(scattering.matte()));
-        tree.put("glassProbability", number(scattering.glass()));
+        tree.put("mirrorProbability", number(scattering.lobes().mirror()));
+        tree.put("matteProbability", number(scattering.lobes().matte()));
+        tree.put("glassProbability", number(scattering.lobes().glass()));
+        tree.put("coatProbability", number(scattering.lobes().coat()));
+        tree.put("throughProbability", number(scattering.lobes().through()));
         scattering.emitter().ifPresent(emitter -> {
             tree.put("emitter", emitter.body());
             tree.put("emitterProbability", number(emitter.probability()));

@@ -135,9 +135,7 @@ public record PathStep(
      *
      * @param point in the scene's meters
      * @param normal a unit vector, on the ray's side
-     * @param mirror probability of the reflecting lobe
-     * @param matte probability of the matte lobe
-     * @param glass probability of the transmitting lobe
+     * @param lobes what the direction is chosen from
      * @param emitter the chosen emitter; empty if there is none, or if the surface scatters into single directions
      *     alone
      * @param next the chosen lobe; empty at the last bounce, unless it is mirror-like
@@ -147,11 +145,20 @@ public record PathStep(
             Vector3 normal,
             Rgb albedo,
             double roughness,
-            double mirror,
-            double matte,
-            double glass,
+            LobeProbabilities lobes,
             Optional<EmitterChoice> emitter,
             Optional<LobeChoice> next) {
+        /**
+         * The probabilities of the lobes, in [0, 1].
+         *
+         * @param mirror of the reflecting one
+         * @param matte of the matte one
+         * @param glass of the transmitting one
+         * @param coat of the clear coat's
+         * @param through of matte light that passes the surface
+         */
+        public record LobeProbabilities(double mirror, double matte, double glass, double coat, double through) {}
+
         /**
          * An emitter.
          *

@@ -6,6 +6,7 @@ import dev.twister.explain.PathStep.RayKind;
 import dev.twister.explain.PathStep.Scattering;
 import dev.twister.explain.PathStep.Scattering.EmitterChoice;
 import dev.twister.explain.PathStep.Scattering.LobeChoice;
+import dev.twister.explain.PathStep.Scattering.LobeProbabilities;
 import dev.twister.kernel.Emitter;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
@@ -14,6 +15,7 @@ import dev.twister.kernel.PathTracer;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.kernel.SkyLookup;
 import dev.twister.kernel.SunEmitter;
+import dev.twister.kernel.Variant;
 import dev.twister.scene.Rgb;
 import dev.twister.world.FrameInput;
 import java.util.ArrayList;
@@ -194,11 +196,19 @@ final class TraceRecorder {
                 Floats.vector(ray, Layout.NORMAL),
                 Floats.rgb(ray, Layout.ALBEDO),
                 ray[Layout.ROUGHNESS],
-                ray[Layout.CHOICE_MIRROR],
-                ray[Layout.CHOICE_MATTE],
-                ray[Layout.CHOICE_GLASS],
+                lobes(ray),
                 emitter,
                 Optional.of(next(ray, bounce)).filter(_ -> PathTracer.endsAt(ray, bounce, frame) == 0));
+    }
+
+    private LobeProbabilities lobes(float[] ray) {
+        boolean finished = (variant & Variant.FINISH) != 0 && ray[Layout.IS_FINISHED] > 0;
+        return new LobeProbabilities(
+                Lobes.choice(ray, Lobes.MIRROR),
+                Lobes.choice(ray, Lobes.MATTE),
+                Lobes.choice(ray, Lobes.GLASS),
+                finished ? Lobes.choice(ray, Lobes.COAT) : 0,
+                finished ? Lobes.choice(ray, Lobes.THROUGH) : 0);
     }
 
     private EmitterChoice emitter(float[] ray, int body, int bounce, boolean last) {

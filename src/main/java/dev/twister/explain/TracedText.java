@@ -5,6 +5,7 @@ import dev.twister.explain.PathStep.RayKind;
 import dev.twister.explain.PathStep.Scattering;
 import dev.twister.explain.PathStep.Scattering.EmitterChoice;
 import dev.twister.explain.PathStep.Scattering.LobeChoice;
+import dev.twister.explain.PathStep.Scattering.LobeProbabilities;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -76,20 +77,27 @@ final class TracedText {
     private static String surface(PixelPath path, int step, Scattering surface) {
         return String.format(
                         Locale.ROOT,
-                        "step %d: point %s, N %s, C %s%s; lobes: mirror %s, matte %s, glass %s",
+                        "step %d: point %s, N %s, C %s%s; lobes: %s",
                         step,
                         TextTable.vector(surface.point()),
                         TextTable.vector(surface.normal()),
                         TextTable.rgb(surface.albedo()),
                         surface.roughness() > 0 ? ", roughness " + TextTable.number("%.3f", surface.roughness()) : "",
-                        probability(surface.mirror()),
-                        probability(surface.matte()),
-                        probability(surface.glass()))
+                        lobes(surface.lobes()))
                 + surface.emitter()
                         .map(chosen -> emitter(path, chosen, isAimedAt(path, step)))
                         .orElse("")
                 + surface.next().map(TracedText::lobe).orElse("\n        the last bounce: no ray is scattered")
                 + "\n";
+    }
+
+    /** Those of finishes are named where there are any. */
+    private static String lobes(LobeProbabilities lobes) {
+        return "mirror " + probability(lobes.mirror())
+                + ", matte " + probability(lobes.matte())
+                + ", glass " + probability(lobes.glass())
+                + (lobes.coat() > 0 ? ", clear coat " + probability(lobes.coat()) : "")
+                + (lobes.through() > 0 ? ", diffuse transmission " + probability(lobes.through()) : "");
     }
 
     private static boolean isAimedAt(PixelPath path, int step) {

@@ -10,7 +10,9 @@ import dev.twister.explain.PathStep.FoundLight;
 import dev.twister.explain.PathStep.LightPart;
 import dev.twister.explain.PathStep.LightSample;
 import dev.twister.explain.PathStep.RayKind;
+import dev.twister.explain.PathStep.Scattering;
 import dev.twister.explain.PathStep.Scattering.LobeChoice;
+import dev.twister.explain.PathStep.Scattering.LobeProbabilities;
 import dev.twister.explain.PathStep.ShadedSurface;
 import dev.twister.kernel.Layout;
 import dev.twister.oracle.LitScene;
@@ -28,9 +30,12 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.light.Lights;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
+import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.StageOrView;
 import dev.twister.world.World;
 import java.nio.file.Path;
@@ -136,6 +141,37 @@ class PixelPathTest {
         }
     }
 
+    /** Clear coats, films, dispersion and light that passes, too. */
+    @Test
+    void tracedPathsOfFinishesAddUp() {
+        Scene scene = SceneReader.read(Path.of("docs", "finishes.json"));
+        SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
+        LitScene lit = new LitScene(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
+        FrameInput input = input(lit, scene.rendering().withSize(70, 80).withSamplesPerPixel(3));
+        pathsAddUp(input);
+        boolean coats = false;
+        boolean passes = false;
+        for (int pixel = 0; pixel < input.width() * input.height(); pixel += 3) {
+            PixelPath path = PixelPath.of(input, pixel % input.width(), pixel / input.width(), 0);
+            for (PathStep step : path.steps()) {
+                step.scattering().ifPresent(PixelPathTest::lobesAreAll);
+            }
+            coats |= path.steps().stream()
+                    .anyMatch(step -> step.scattering().isPresent()
+                            && step.scattering().get().lobes().coat() > 0);
+            passes |= path.steps().stream()
+                    .anyMatch(step -> step.scattering().isPresent()
+                            && step.scattering().get().lobes().through() > 0);
+        }
+        assertThat(coats && passes).isTrue();
+    }
+
+    private static void lobesAreAll(Scattering surface) {
+        LobeProbabilities lobes = surface.lobes();
+        assertThat(lobes.mirror() + lobes.matte() + lobes.glass() + lobes.coat() + lobes.through())
+                .isCloseTo(1, within(1e-5));
+    }
+
     @Test
     void tracedStepsAddWhatTheirNumbersSay() {
         LitScene scene = RandomMaterials.scene(new Random(4), 8);
@@ -146,9 +182,7 @@ class PixelPathTest {
             PixelPath path = PixelPath.of(input, pixel % input.width(), pixel / input.width(), 0);
             assertThat(path.isTraced()).isTrue();
             for (PathStep step : path.steps()) {
-                step.scattering()
-                        .ifPresent(surface -> assertThat(surface.mirror() + surface.matte() + surface.glass())
-                                .isCloseTo(1, within(1e-5)));
+                step.scattering().ifPresent(PixelPathTest::lobesAreAll);
                 if (step.adds().green() > 0) {
                     FoundLight light = step.light().orElseThrow();
                     double green = step.throughput().green()
