@@ -3,19 +3,11 @@ package dev.twister.kernel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.twister.scene.Ground;
-import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rgb;
-import dev.twister.scene.Sphere;
-import dev.twister.scene.Vector3;
-import dev.twister.scene.light.Lights;
 import dev.twister.scene.material.Finish;
-import dev.twister.sky.Skybox;
-import dev.twister.world.SceneImages;
 import dev.twister.world.table.LookTable;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -113,26 +105,8 @@ class FinishTest {
         look(Material.DEFAULT.withMetallic(0.5).withRoughness(0.6).withFinish(finish));
         start(0, 0.6f, 0.7f);
         Lobes.prepare(path, BODY, BOUNCE, frame, looks, VARIANT);
-        Random random = new Random(20261128);
         int tries = 30_000;
-        double density = 0;
-        double[] scattered = new double[3];
-        for (int i = 0; i < tries; i++) {
-            double z = 2 * random.nextDouble() - 1;
-            double turn = 2 * Math.PI * random.nextDouble();
-            double level = Math.sqrt(1 - z * z);
-            density += Lobes.evaluate(
-                    path,
-                    (float) (level * Math.cos(turn)),
-                    (float) (level * Math.sin(turn)),
-                    (float) z,
-                    looks,
-                    VARIANT);
-            for (int channel = 0; channel < 3; channel++) {
-                scattered[channel] += path[Layout.SCATTERED + channel];
-            }
-        }
-        double whole = 4 * Math.PI / tries;
+        LobeSums sums = LobeSums.of(path, looks, VARIANT, tries, new Random(20261128));
         double chosen = 0;
         double[] weight = new double[3];
         for (int i = 0; i < tries; i++) {
@@ -144,9 +118,9 @@ class FinishTest {
                 weight[channel] += spread ? path[Layout.THROUGHPUT + channel] : 0;
             }
         }
-        assertThat(chosen / tries).as("density").isCloseTo(density * whole, within(0.03));
+        assertThat(chosen / tries).as("density").isCloseTo(sums.density(), within(0.03));
         for (int channel = 0; channel < 3; channel++) {
-            assertThat(weight[channel] / tries).isCloseTo(scattered[channel] * whole, within(0.02));
+            assertThat(weight[channel] / tries).isCloseTo(sums.scattered()[channel], within(0.02));
         }
     }
 
@@ -328,14 +302,7 @@ class FinishTest {
     }
 
     private void look(Material material) {
-        table.put(
-                Lights.of(Light.of(new Vector3(0, 9, 0), 1, new Rgb(1, 1, 1))),
-                Ground.of(1, 0, new Rgb(0, 0, 0), new Rgb(0, 0, 0), 0),
-                List.of(Sphere.of(new Vector3(0, 0, 0), 1, material)),
-                List.of(),
-                new float[0],
-                SceneImages.of(new Skybox(1, 1, new float[] {1, 1, 1})));
-        looks = table.looks();
+        looks = LobeSums.looks(table, material);
     }
 
     private void choose(int number) {

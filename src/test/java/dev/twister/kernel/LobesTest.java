@@ -3,18 +3,9 @@ package dev.twister.kernel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.twister.scene.Ground;
-import dev.twister.scene.Light;
 import dev.twister.scene.Material;
-import dev.twister.scene.Rgb;
-import dev.twister.scene.Sphere;
-import dev.twister.scene.Vector3;
-import dev.twister.scene.light.Lights;
-import dev.twister.sky.Skybox;
-import dev.twister.world.SceneImages;
 import dev.twister.world.table.LookTable;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.stream.Stream;
@@ -70,42 +61,15 @@ class LobesTest {
     /** Looks with the tables of an index of refraction and a roughness. */
     private float[] looks(float ior, float roughness) {
         Material white = Material.DEFAULT.withMetallic(0.5).withRoughness(roughness);
-        return looksOfMaterials.computeIfAbsent(white.withIor(Math.max(1, ior)), material -> {
-            LookTable table = new LookTable();
-            table.put(
-                    Lights.of(Light.of(new Vector3(0, 9, 0), 1, new Rgb(1, 1, 1))),
-                    Ground.of(1, 0, new Rgb(0, 0, 0), new Rgb(0, 0, 0), 0),
-                    List.of(Sphere.of(new Vector3(0, 0, 0), 1, material)),
-                    List.of(),
-                    new float[0],
-                    SceneImages.of(new Skybox(1, 1, new float[] {1, 1, 1})));
-            return table.looks();
-        });
+        return looksOfMaterials.computeIfAbsent(
+                white.withIor(Math.max(1, ior)), material -> LobeSums.looks(new LookTable(), material));
     }
 
     @ParameterizedTest
     @MethodSource("surfaces")
     void chosenDirectionsFollowTheDensity(Surfaces surface) {
         start(surface, 0.8f);
-        Random random = new Random(20261126);
-        double density = 0;
-        double[] scattered = new double[3];
-        for (int i = 0; i < TRIES; i++) {
-            double z = 2 * random.nextDouble() - 1;
-            double turn = 2 * Math.PI * random.nextDouble();
-            double level = Math.sqrt(1 - z * z);
-            density += Lobes.evaluate(
-                    path,
-                    (float) (level * Math.cos(turn)),
-                    (float) (level * Math.sin(turn)),
-                    (float) z,
-                    looks,
-                    Variant.MATERIALS);
-            for (int channel = 0; channel < 3; channel++) {
-                scattered[channel] += path[Layout.SCATTERED + channel];
-            }
-        }
-        double whole = 4 * Math.PI / TRIES;
+        LobeSums sums = LobeSums.of(path, looks, Variant.MATERIALS, TRIES, new Random(20261126));
         double chosen = 0;
         double[] weight = new double[3];
         for (int i = 0; i < TRIES; i++) {
@@ -115,9 +79,9 @@ class LobesTest {
                 weight[channel] += path[Layout.THROUGHPUT + channel];
             }
         }
-        assertThat(chosen / TRIES).isCloseTo(density * whole, within(0.05));
+        assertThat(chosen / TRIES).isCloseTo(sums.density(), within(0.05));
         for (int channel = 0; channel < 3; channel++) {
-            assertThat(weight[channel] / TRIES).isCloseTo(scattered[channel] * whole, within(0.04));
+            assertThat(weight[channel] / TRIES).isCloseTo(sums.scattered()[channel], within(0.04));
         }
     }
 
