@@ -90,15 +90,17 @@ final class FinishLobes {
      * @param part the part of the surface that reflects so
      */
     static void tint(float[] path, float taken, float part) {
-        int tinted = path[Layout.IS_TINTED] > 0f ? 1 : 0;
-        float fresnel = part * Refraction.reflectance(path[Layout.FOUND_COSINE], path[Layout.RATIO]);
-        if (tinted != 0) {
-            meetFacet(path, path[Layout.FOUND_COSINE], fresnel);
-        }
         for (int channel = 0; channel < 3; channel++) {
-            float more = tinted != 0 ? path[Layout.FACET_DIELECTRIC + channel] - fresnel : 0f;
-            float left = 1f - taken - (tinted != 0 ? path[Layout.FOUND_MIRROR] * more : 0f);
-            path[Layout.UNDER_TINT + channel] = Math.min(Math.max(left, 0f), 1f);
+            path[Layout.UNDER_TINT + channel] = Math.min(Math.max(1f - taken, 0f), 1f);
+        }
+        if (path[Layout.IS_TINTED] > 0f) {
+            float fresnel = part * Refraction.reflectance(path[Layout.FOUND_COSINE], path[Layout.RATIO]);
+            meetFacet(path, path[Layout.FOUND_COSINE], fresnel);
+            for (int channel = 0; channel < 3; channel++) {
+                float more = path[Layout.FACET_DIELECTRIC + channel] - fresnel;
+                float left = 1f - taken - path[Layout.FOUND_MIRROR] * more;
+                path[Layout.UNDER_TINT + channel] = Math.min(Math.max(left, 0f), 1f);
+            }
         }
     }
 

@@ -65,6 +65,7 @@ final class FinishMaps {
         }
     }
 
+    /** By loops of three, which compilers of devices unroll: then all places in the path are constants. */
     private static void copy(float[] path, int row, float[] looks) {
         copyThree(path, 0, row, looks);
         copyThree(path, 3, row, looks);
