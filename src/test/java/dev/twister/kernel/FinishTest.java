@@ -120,7 +120,7 @@ class FinishTest {
         }
         assertThat(chosen / tries).as("density").isCloseTo(sums.density(), within(0.03));
         for (int channel = 0; channel < 3; channel++) {
-            assertThat(weight[channel] / tries).isCloseTo(sums.scattered()[channel], within(0.02));
+            assertThat(weight[channel] / tries).isCloseTo(sums.scattered().get(channel), within(0.02));
         }
     }
 

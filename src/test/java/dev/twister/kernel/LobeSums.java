@@ -12,6 +12,7 @@ import dev.twister.world.SceneImages;
 import dev.twister.world.table.LookTable;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.DoubleStream;
 
 /**
  * Integrals over all directions of what {@link Lobes#evaluate} says of a surface.
@@ -19,7 +20,7 @@ import java.util.Random;
  * @param density of the directions; 1 if all are of lobes that are not mirror-like
  * @param scattered {@code f * |cos|} per channel
  */
-record LobeSums(double density, double[] scattered) {
+record LobeSums(double density, List<Double> scattered) {
     /** @param path after {@link Lobes#prepare} */
     static LobeSums of(float[] path, float[] looks, int variant, int tries, Random random) {
         double whole = 4 * Math.PI / tries;
@@ -36,7 +37,7 @@ record LobeSums(double density, double[] scattered) {
                 scattered[channel] += whole * path[Layout.SCATTERED + channel];
             }
         }
-        return new LobeSums(density, scattered);
+        return new LobeSums(density, DoubleStream.of(scattered).boxed().toList());
     }
 
     /** Looks in which {@link Layout#FIRST_SPHERE} has a material. */

@@ -81,7 +81,7 @@ class LobesTest {
         }
         assertThat(chosen / TRIES).isCloseTo(sums.density(), within(0.05));
         for (int channel = 0; channel < 3; channel++) {
-            assertThat(weight[channel] / TRIES).isCloseTo(sums.scattered()[channel], within(0.04));
+            assertThat(weight[channel] / TRIES).isCloseTo(sums.scattered().get(channel), within(0.04));
         }
     }
 
