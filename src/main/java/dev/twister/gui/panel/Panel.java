@@ -55,6 +55,9 @@ public final class Panel extends ScrollPane {
     private final SelectionSection selection;
     private final MaterialSection material;
 
+    /** What is to be scrolled to once the panel is shown. */
+    private Optional<Region> sought = Optional.empty();
+
     public Panel(
             Studio studio,
             EngineList engines,
@@ -119,6 +122,7 @@ public final class Panel extends ScrollPane {
         setFitToWidth(true);
         setHbarPolicy(ScrollBarPolicy.NEVER);
         setFocusTraversable(false);
+        managedProperty().subscribe(this::scrollToSought);
         studio.selection().activeProperty().subscribe((_, body) -> {
             if (body.intValue() != BodyNumber.NONE) {
                 PanelSection ofBody = body.intValue() == BodyNumber.PLANE ? materialSection : selectionSection;
@@ -208,8 +212,20 @@ public final class Panel extends ScrollPane {
                 isFolded -> settings.change(kept -> kept.withFolded(section.heading(), isFolded))));
     }
 
-    /** Scrolls a part to the middle of the panel, unless it is visible. */
+    /** Scrolls a part to the middle of the panel, unless it is visible; a hidden panel does so once it is shown. */
     public void scrollTo(Region part) {
+        sought = Optional.of(part);
+        scrollToSought();
+    }
+
+    private void scrollToSought() {
+        if (isManaged()) {
+            sought.ifPresent(this::scrollShown);
+            sought = Optional.empty();
+        }
+    }
+
+    private void scrollShown(Region part) {
         applyCss();
         layout();
         Bounds place = getContent().sceneToLocal(part.localToScene(part.getLayoutBounds()));
