@@ -122,7 +122,7 @@ public final class Panel extends ScrollPane {
         setFitToWidth(true);
         setHbarPolicy(ScrollBarPolicy.NEVER);
         setFocusTraversable(false);
-        managedProperty().subscribe(this::scrollToSought);
+        visibleProperty().subscribe(this::scrollToSought);
         studio.selection().activeProperty().subscribe((_, body) -> {
             if (body.intValue() != BodyNumber.NONE) {
                 PanelSection ofBody = body.intValue() == BodyNumber.PLANE ? materialSection : selectionSection;
@@ -219,7 +219,7 @@ public final class Panel extends ScrollPane {
     }
 
     private void scrollToSought() {
-        if (isManaged()) {
+        if (isVisible()) {
             sought.ifPresent(this::scrollShown);
             sought = Optional.empty();
         }
