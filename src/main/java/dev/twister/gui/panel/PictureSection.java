@@ -15,7 +15,6 @@ import javafx.beans.property.BooleanProperty;
 
 /** Settings of the picture: samples, exposure, tone mapping. */
 final class PictureSection {
-    private final Studio studio;
     private final List<PropertyRow> rows;
     private final SwitchRow refining;
     private final SwitchRow clipping;
@@ -23,8 +22,7 @@ final class PictureSection {
 
     /** @param clippingShown whether clipped pixels are marked */
     PictureSection(Studio studio, BackgroundTasks tasks, BooleanProperty clippingShown) {
-        this.studio = studio;
-        rows = PropertyRow.of(
+        rows = PropertyRow.following(
                 Property.within(SceneProperties.RENDERING, Scene::rendering, Scene::withRendering), studio);
         refining = new SwitchRow(
                 "Refine at rest",
@@ -34,8 +32,6 @@ final class PictureSection {
         clipping = new SwitchRow("Show clipping", Command.CLIPPING.hint(), "Alt+Z", clippingShown::set);
         rest = new RestRows(studio, tasks);
         clippingShown.subscribe(on -> clipping.show(on, false));
-        studio.sceneProperty().subscribe(_ -> refresh());
-        studio.document().originalProperty().subscribe(_ -> refresh());
         studio.refiningProperty().subscribe(on -> refining.show(on, true));
     }
 
@@ -47,12 +43,6 @@ final class PictureSection {
                         Stream.of(clipping))
                 .<PanelRow>flatMap(all -> all)
                 .toList();
-    }
-
-    private void refresh() {
-        Scene scene = studio.scene();
-        Scene usual = studio.document().original();
-        rows.forEach(row -> row.show(scene, usual));
     }
 
     /** How long a path-traced picture at rest is refined, and whether its noise is removed. */
