@@ -217,7 +217,8 @@ class MotionBlurTest {
         String[] options = {"--time", "1", "--fps", RATE, "--noise", "0.02", "--samples", "512", "--engine", "vector"};
         Path file = render("noise.exr", options);
 
-        assertThat(difference(radiance(file), MEANS.computeIfAbsent("whitted", this::mean))).isLessThan(0.01);
+        assertThat(difference(radiance(file), MEANS.computeIfAbsent("whitted", this::mean)))
+                .isLessThan(0.01);
         // Where nothing moves the least number is enough, and what moves needs more.
         float[] samples = channel(file, "samples.Y");
         assertThat(samples[0]).isEqualTo(16f, within(8f));
