@@ -23,6 +23,13 @@ final class AlbedoTables {
     private static final int LATTICE = 233;
     private static final double LEAST_COSINE = 1e-4;
 
+    /** Of the directions of the lattice's facets about the normal. */
+    private static final double[] TURN_COSINES =
+            IntStream.range(0, FACETS).mapToDouble(i -> Math.cos(turn(i))).toArray();
+
+    private static final double[] TURN_SINES =
+            IntStream.range(0, FACETS).mapToDouble(i -> Math.sin(turn(i))).toArray();
+
     private static final int COAT_MAP = Layout.FINISH_MAPS_COAT_ROUGHNESS;
     private static final int SHEEN_MAP = Layout.FINISH_MAPS_SHEEN_ROUGHNESS;
 
@@ -193,19 +200,19 @@ final class AlbedoTables {
         double length = Math.hypot(alpha * sine, cosine);
         double viewX = alpha * sine / length;
         double viewZ = cosine / length;
+        double entering = 1 + lambda(alpha, cosine);
         double[] sums = new double[DirectionalAlbedo.TABLES];
         for (int i = 0; i < FACETS; i++) {
-            double turn = Math.PI * (i * LATTICE % FACETS + 0.5) / FACETS;
             double height = (i + 0.5) / FACETS;
             double z = (1 - height) * (1 + viewZ) - viewZ;
             double radius = Math.sqrt(Math.max(0, 1 - z * z));
-            double facetX = alpha * (viewX + radius * Math.cos(turn));
-            double facetY = alpha * radius * Math.sin(turn);
+            double facetX = alpha * (viewX + radius * TURN_COSINES[i]);
+            double facetY = alpha * radius * TURN_SINES[i];
             double facetZ = viewZ + z;
             double scale = 1 / Math.sqrt(facetX * facetX + facetY * facetY + facetZ * facetZ);
             double dot = (sine * facetX + cosine * facetZ) * scale;
             double normal = facetZ * scale;
-            double reflected = weight(alpha, cosine, 2 * dot * normal - cosine);
+            double reflected = weight(entering, alpha, 2 * dot * normal - cosine);
             sums[DirectionalAlbedo.MIRROR] += reflected;
             for (int inside = 0; inside < 2; inside++) {
                 double ratio = inside == 0 ? 1 / ior : ior;
@@ -215,7 +222,7 @@ final class AlbedoTables {
                 double out = ratio * (cosine - dot * normal) + passed * normal;
                 sums[DirectionalAlbedo.COAT] += inside == 0 ? fresnel * reflected : 0;
                 sums[DirectionalAlbedo.GLASS + inside] +=
-                        fresnel * reflected + (1 - fresnel) * weight(alpha, cosine, out);
+                        fresnel * reflected + (1 - fresnel) * weight(entering, alpha, out);
             }
         }
         for (int table = 0; table < sums.length; table++) {
@@ -230,10 +237,17 @@ final class AlbedoTables {
         return (across * across + along * along) / 2;
     }
 
-    /** G2 / G1 of Smith's height-correlated masking and shadowing. */
-    private static double weight(double alpha, double cosineIn, double cosineOut) {
-        double in = 1 + lambda(alpha, cosineIn);
-        return cosineOut > 0 ? in / (in + lambda(alpha, cosineOut)) : 0;
+    private static double turn(int facet) {
+        return Math.PI * (facet * LATTICE % FACETS + 0.5) / FACETS;
+    }
+
+    /**
+     * G2 / G1 of Smith's height-correlated masking and shadowing.
+     *
+     * @param entering 1 and the lambda of the direction that the light comes from
+     */
+    private static double weight(double entering, double alpha, double cosineOut) {
+        return cosineOut > 0 ? entering / (entering + lambda(alpha, cosineOut)) : 0;
     }
 
     private static double lambda(double alpha, double cosine) {
