@@ -194,6 +194,7 @@ class RoomsTest {
                         "engine.auto",
                         "image",
                         "gui.edit",
+                        "gui.picking",
                         "gui.property",
                         "scene.generate",
                         "scene.property"),

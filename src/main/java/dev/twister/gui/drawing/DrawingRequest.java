@@ -2,6 +2,7 @@ package dev.twister.gui.drawing;
 
 import dev.twister.denoise.DenoiserOffer;
 import dev.twister.engine.EngineOffer;
+import dev.twister.scene.Camera;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.world.StageOrView;
@@ -68,6 +69,26 @@ public record DrawingRequest(
                         other.height(),
                         other.engine(),
                         refinement,
+                        other.motion(),
+                        other.shown()));
+    }
+
+    /** Whether the other request differs only in the camera's place and direction. */
+    boolean looksFromElsewhereThan(DrawingRequest other) {
+        Camera here = scene.camera();
+        Camera there = other.scene().camera();
+        Camera moved = there.withPosition(here.position())
+                .withYawDegrees(here.yawDegrees())
+                .withPitchDegrees(here.pitchDegrees());
+        return !here.equals(there)
+                && equals(new DrawingRequest(
+                        number,
+                        other.document(),
+                        other.scene().withCamera(moved),
+                        other.width(),
+                        other.height(),
+                        other.engine(),
+                        other.refinement(),
                         other.motion(),
                         other.shown()));
     }

@@ -62,6 +62,9 @@ final class ProgressiveRenderer implements AutoCloseable {
     /** The smaller picture that has answered the request. */
     private Optional<Preview> preview = Optional.empty();
 
+    /** What was seen from where the camera was before. */
+    private Optional<SampleHistory> history = Optional.empty();
+
     private int coarseness = COARSEST;
     private Optional<Engine> drawer = Optional.empty();
     private Optional<RefinedPicture> refined = Optional.empty();
@@ -129,6 +132,7 @@ final class ProgressiveRenderer implements AutoCloseable {
         if (!isAtWork(wanted) || !drawer.equals(Optional.of(engine)) || engines.hasBecomeFaster()) {
             boolean toned = hasItsSamples(wanted, engine);
             boolean otherDenoiser = !request.flatMap(this::denoiser).equals(denoiser(wanted));
+            history = seenBefore(wanted);
             drawn = toned || (drawn && isSlowAndTheSame(wanted, engine));
             request = Optional.of(wanted);
             drawer = Optional.of(engine);
@@ -153,6 +157,16 @@ final class ProgressiveRenderer implements AutoCloseable {
             engines.giveUp(problem);
             return !hopeless;
         }
+    }
+
+    /** What was seen from elsewhere, if nothing but the camera's place and direction differs. */
+    @SuppressWarnings("ReferenceEquality") // another array means that the file was read anew
+    private Optional<SampleHistory> seenBefore(DrawingRequest wanted) {
+        return preview.flatMap(Preview::history)
+                .or(() -> history)
+                .filter(seen -> seen.images() == input.images()
+                        && !wanted.isContinuous()
+                        && request.filter(wanted::looksFromElsewhereThan).isPresent());
     }
 
     /** Called after some time without a request. */
@@ -225,7 +239,7 @@ final class ProgressiveRenderer implements AutoCloseable {
         if (coarseness > 1 && engines.isSubstituted()) {
             FrameInput small = coarse(coarseness);
             if (cleans(wanted)) {
-                drawPreview(wanted, engine, Preview.gathering(small, true, true, clock));
+                drawPreview(wanted, engine, Preview.gathering(small, true, true, Optional.empty(), clock));
             } else {
                 drawPlain(wanted, engine, small, false);
             }
@@ -279,7 +293,7 @@ final class ProgressiveRenderer implements AutoCloseable {
                 sized.samplesPerPixel() > MOST_PREVIEW_SAMPLES ? sized.withSamples(0, MOST_PREVIEW_SAMPLES) : sized;
         boolean gathers = input.tracesPaths() && wanted.shown() == StageOrView.BEAUTY && watcher.isEmpty();
         Preview drawing = gathers
-                ? Preview.gathering(small, wanted.isContinuous(), cleans(wanted), clock)
+                ? Preview.gathering(small, wanted.isContinuous(), cleans(wanted), history, clock)
                 : Preview.once(small, clock);
         preview = Optional.of(drawing);
         drawPreview(wanted, engine, drawing);

@@ -52,6 +52,12 @@ public final class Projection {
         return isBehind(seen) ? new double[0] : pixel(seen);
     }
 
+    /** Meters along the view ray to a point. */
+    public double distance(Vector3 place) {
+        double[] seen = seen(place);
+        return kind == CameraRay.ORTHOGRAPHIC ? seen[2] : length(seen);
+    }
+
     /** What a meter across the view comes to at a place before the camera. */
     public double pixelsPerMeter(Vector3 place) {
         double[] seen = seen(place);
