@@ -4,7 +4,9 @@ import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.util.Optional;
 
-/** One world that shows many scenes in turn, as the window does: it keeps the tables of albedos that it has computed. */
+/**
+ * One world that shows many scenes in turn, as the window does: it keeps the tables of albedos that it has computed.
+ */
 public final class ShownWorld {
     private Optional<World> world = Optional.empty();
 
