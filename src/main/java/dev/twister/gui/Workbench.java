@@ -124,36 +124,37 @@ final class Workbench implements AutoCloseable {
         HBox side = new HBox(panel);
         panelWindow = new PanelWindow(stage, panel, side, picture, settings());
         side.getChildren().addFirst(new PanelEdge(panel, panelWindow.dockedProperty(), settings()));
-        bindFile(actions);
-        bindEdit(actions);
-        bindView(actions);
-        bindMotion(actions);
+        bind(actions);
         actions.on(Command.RESET, () -> Panel.resetAll(studio, tasks, engines, usualEngine));
         menu = new MenuView(studio, settings(), files.files(), actions, bodies::insert);
-        menu.explainKeys(root.getScene(), studio);
-        files.pictures().recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
-        FilmBar film = new FilmBar(studio, actions, this::focusPicture);
+        putAround(root, side, new FilmBar(studio, actions, this::focusPicture));
+        tasks.run(options.shipped()::skies, panel::offerSkies, problem -> studio.notice(Dialogs.explain(problem)));
+        restore();
+        keepUpToDate();
+        options.asked().ifPresent(settings()::remember);
+        files.autosaves().offer(files.dialogs(), files.files());
+    }
+
+    /** Puts all that surrounds the picture in its place, and has keys and dropped files come there. */
+    private void putAround(BorderPane root, HBox side, FilmBar film) {
         root.setTop(menu);
         root.setBottom(new VBox(film, new DopeSheet(studio, film), root.getBottom()));
         root.setRight(side);
+        menu.explainKeys(root.getScene(), studio);
         PanelKeys.leadBack(panel, this::focusPicture);
         for (Scene scene : List.of(root.getScene(), panelWindow.scene())) {
             PanelKeys.install(scene, panel, () -> showPanel(true));
             DropTarget.install(scene, files.files());
         }
-        tasks.run(options.shipped()::skies, panel::offerSkies, problem -> studio.notice(Dialogs.explain(problem)));
-        restore();
-        keepUpToDate();
-        options.asked().ifPresent(settings()::remember);
-        stage.setOnCloseRequest(this::closeOnceSaved);
-        files.autosaves().offer(files.dialogs(), files.files());
-        stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
-        stage.setFullScreenExitHint("");
     }
 
     /** Keeps the window's limits, title and settings as the scene and the panel are. */
     private void keepUpToDate() {
         stage.setMinHeight(LEAST_HEIGHT);
+        stage.setOnCloseRequest(this::closeOnceSaved);
+        stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
+        stage.setFullScreenExitHint("");
+        files.pictures().recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
         panelWindow.dockedProperty().subscribe(_ -> limitWidth());
         // Style sheets say it, in the text's size.
         panel.minWidthProperty().subscribe(_ -> limitWidth());
@@ -268,6 +269,13 @@ final class Workbench implements AutoCloseable {
         BooleanProperty locked = studio.document().cameraLockedProperty();
         locked.set(!locked.get());
         studio.notice(locked.get() ? "The camera is locked" : "The camera is free");
+    }
+
+    private void bind(CommandActions actions) {
+        bindFile(actions);
+        bindEdit(actions);
+        bindView(actions);
+        bindMotion(actions);
     }
 
     private void bindFile(CommandActions actions) {

@@ -22,6 +22,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -53,6 +55,9 @@ class MotionBlurTest {
 
     private static final int PICTURES = 256;
 
+    /** By integrator; all tests have the same scene. */
+    private static final Map<String, float[]> MEANS = new ConcurrentHashMap<>();
+
     @TempDir
     private Path folder;
 
@@ -71,7 +76,7 @@ class MotionBlurTest {
         String[] options = {"--time", "1", "--fps", RATE, "--engine", engine, "--integrator", integrator};
         float[] blurred = radiance(render("blurred.exr", options));
         float[] sharp = radiance(render("sharp.exr", plus(options, "--shutter", "0")));
-        float[] mean = mean(integrator);
+        float[] mean = MEANS.computeIfAbsent(integrator, this::mean);
 
         assertThat(difference(blurred, mean)).isLessThan(most);
         assertThat(difference(sharp, mean)).isGreaterThan(0.05);
@@ -212,7 +217,8 @@ class MotionBlurTest {
         String[] options = {"--time", "1", "--fps", RATE, "--noise", "0.02", "--samples", "512", "--engine", "vector"};
         Path file = render("noise.exr", options);
 
-        assertThat(difference(radiance(file), mean("whitted"))).isLessThan(0.01);
+        assertThat(difference(radiance(file), MEANS.computeIfAbsent("whitted", this::mean)))
+                .isLessThan(0.01);
         // Where nothing moves the least number is enough, and what moves needs more.
         float[] samples = channel(file, "samples.Y");
         assertThat(samples[0]).isEqualTo(16f, within(8f));

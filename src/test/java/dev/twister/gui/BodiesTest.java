@@ -77,7 +77,10 @@ class BodiesTest {
     @BeforeEach
     void startAnew() {
         driver.type(Command.RESET.keys());
-        driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
+        driver.run(() -> {
+            driver.studio.refiningProperty().set(false);
+            driver.studio.selection().select(Layout.NOTHING);
+        });
         awaitRest();
     }
 

@@ -3,9 +3,11 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.controls.Command;
+import dev.twister.gui.studio.OpenedScene;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.CameraView;
 import dev.twister.scene.Scene;
+import java.nio.file.Path;
 import java.util.List;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
@@ -15,23 +17,30 @@ import javafx.scene.control.ListView;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The list of views in the panel. */
 class ViewsTest {
-    private WindowDriver driver;
+    private static WindowDriver driver;
 
-    @BeforeEach
-    void open() {
+    @BeforeAll
+    static void open() {
         driver = WindowDriver.openWithPanel();
     }
 
-    @AfterEach
-    void close() {
+    @AfterAll
+    static void close() {
         driver.close();
+    }
+
+    @BeforeEach
+    void startAnew() {
+        driver.run(() -> driver.studio.show(new OpenedScene(Path.of("test.json"), WindowScenes.tiny())));
+        driver.awaitCurrentPicture();
     }
 
     @Test

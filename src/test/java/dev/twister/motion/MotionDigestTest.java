@@ -9,22 +9,24 @@ import dev.twister.scene.SceneChanges;
 import dev.twister.scene.TrackTarget;
 import dev.twister.world.SceneMeshes;
 import java.util.Arrays;
+import java.util.SequencedMap;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class MotionDigestTest {
+    private static final SequencedMap<String, Scene> CHANGES = SceneChanges.of(FullScene.SCENE);
     private static final float[] END = end(FullScene.SCENE);
 
     static Set<String> places() {
-        return SceneChanges.of(FullScene.SCENE).keySet();
+        return CHANGES.keySet();
     }
 
     @ParameterizedTest
     @MethodSource("places")
     void changesWithWhatChangesTheMotion(String place) {
-        Scene changed = SceneChanges.of(FullScene.SCENE).get(place);
+        Scene changed = CHANGES.get(place);
 
         boolean sameDigest = Arrays.equals(MotionDigest.of(changed), MotionDigest.of(FullScene.SCENE));
 
@@ -36,7 +38,7 @@ class MotionDigestTest {
     void staysWhereOnlyTheSightChanges() {
         byte[] digest = MotionDigest.of(FullScene.SCENE);
 
-        assertThat(SceneChanges.of(FullScene.SCENE).entrySet())
+        assertThat(CHANGES.entrySet())
                 .filteredOn(change -> change.getKey()
                         .matches("(title|camera|views|sky|shading|rendering|materials|tracks|.*strength|.*share).*"))
                 .filteredOn(change -> change.getValue().tracks().stream()
@@ -48,7 +50,7 @@ class MotionDigestTest {
 
     private static float[] end(Scene scene) {
         try (Simulation simulation = Simulation.ofFilm(scene, SceneMeshes.of(scene, FullScene.MESHES), 0)) {
-            simulation.advance(1.2);
+            simulation.advance(1);
             return simulation.positions();
         }
     }

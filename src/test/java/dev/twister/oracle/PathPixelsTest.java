@@ -32,8 +32,9 @@ class PathPixelsTest {
 
     @Test
     void everyPixelOfRandomScenesIsANumberFromZeroOn() {
+        ShownWorld world = new ShownWorld();
         for (int seed = 0; seed < SCENES; seed++) {
-            float[] radiance = Pictures.radiance(JvmEngines.SEQUENTIAL, scene(new Random(seed)));
+            float[] radiance = Pictures.radiance(JvmEngines.SEQUENTIAL, world.input(scene(new Random(seed))));
             for (float value : radiance) {
                 assertThat(value >= 0 && value < Float.POSITIVE_INFINITY)
                         .as("scene %d has %s", seed, value)

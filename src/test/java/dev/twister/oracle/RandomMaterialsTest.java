@@ -3,6 +3,7 @@ package dev.twister.oracle;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.JvmEngines;
+import dev.twister.world.FrameInput;
 import java.util.Random;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
@@ -22,6 +23,7 @@ class RandomMaterialsTest {
     private static final String VECTOR = "vector";
 
     private final PixelJudge judge = new PixelJudge();
+    private final ShownWorld world = new ShownWorld();
     private int pixelsAnExcuse = FEW_BOUNCES_PIXELS_AN_EXCUSE;
 
     @Provide
@@ -36,39 +38,44 @@ class RandomMaterialsTest {
 
     @Property(seed = "20261125", tries = 250, shrinking = ShrinkingMode.OFF)
     void sequentialDrawsWhatTheOracleDraws(@ForAll("fewBounces") LitScene random) {
-        judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, random), random);
+        judge(JvmEngines.SEQUENTIAL, random);
     }
 
     @Property(seed = "20261126", tries = 100, shrinking = ShrinkingMode.OFF)
     void manyBouncesAreWhatTheOracleDraws(@ForAll("manyBounces") LitScene random) {
         pixelsAnExcuse = MANY_BOUNCES_PIXELS_AN_EXCUSE;
-        judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, random), random);
+        judge(JvmEngines.SEQUENTIAL, random);
     }
 
     @Property(seed = "20261130", tries = 60, shrinking = ShrinkingMode.OFF)
     void metalsAndEmissionAreWhatTheOracleDraws(@ForAll("fewBounces") LitScene random, @ForAll Random choice) {
         LitScene tinted = RandomMaterials.tinted(random, choice);
-        judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, tinted), tinted);
-        judge.judge(Pictures.argb(VECTOR, tinted), tinted);
+        judge(JvmEngines.SEQUENTIAL, tinted);
+        judge(VECTOR, tinted);
     }
 
     /** Follows from the tests of {@code sequential} here and of lanes against it. */
     @Tag("slow")
     @Property(seed = "20261127", tries = 100, shrinking = ShrinkingMode.OFF)
     void vectorDrawsWhatTheOracleDraws(@ForAll("fewBounces") LitScene random) {
-        judge.judge(Pictures.argb(VECTOR, random), random);
+        judge(VECTOR, random);
     }
 
     @Tag("slow")
     @Property(seed = "20261128", tries = 40, shrinking = ShrinkingMode.OFF)
     void vectorDrawsManyBouncesAsTheOracleDoes(@ForAll("manyBounces") LitScene random) {
         pixelsAnExcuse = MANY_BOUNCES_PIXELS_AN_EXCUSE;
-        judge.judge(Pictures.argb(VECTOR, random), random);
+        judge(VECTOR, random);
     }
 
     @Property(seed = "20261129", tries = 100, shrinking = ShrinkingMode.OFF)
     void parallelIsSequentialBitForBit(@ForAll("manyBounces") LitScene random) {
-        assertThat(Pictures.argb(JvmEngines.PARALLEL, random)).isEqualTo(Pictures.argb(JvmEngines.SEQUENTIAL, random));
+        FrameInput input = world.input(random);
+        assertThat(Pictures.argb(JvmEngines.PARALLEL, input)).isEqualTo(Pictures.argb(JvmEngines.SEQUENTIAL, input));
+    }
+
+    private void judge(String engine, LitScene scene) {
+        judge.judge(Pictures.argb(engine, world.input(scene)), scene);
     }
 
     @AfterProperty

@@ -9,6 +9,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.light.Lights;
+import dev.twister.world.FrameInput;
 import java.util.List;
 import java.util.Random;
 import java.util.function.BiFunction;
@@ -23,13 +24,15 @@ class SeveralLightsTest {
     /** Triangles of a few pixels have many edges. */
     private static final int MESH_PIXELS_AN_EXCUSE = 2000;
 
+    private final ShownWorld world = new ShownWorld();
+
     @Test
     void plainScenesAreTheOracles() {
         PixelJudge judge = new PixelJudge();
         for (int seed = 0; seed < 60; seed++) {
             Random random = new Random(seed);
             LitScene scene = RandomLights.added(RandomScenes.scene(random, random.nextInt(4)), random);
-            judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, scene), scene);
+            judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, world.input(scene)), scene);
         }
         judge.requireExcusedAtMostOneIn(PIXELS_AN_EXCUSE);
     }
@@ -40,7 +43,7 @@ class SeveralLightsTest {
         for (int seed = 0; seed < 40; seed++) {
             Random random = new Random(seed);
             LitScene scene = RandomLights.added(RandomMaterials.scene(random, random.nextInt(4)), random);
-            judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, scene), scene);
+            judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, world.input(scene)), scene);
         }
         judge.requireExcusedAtMostOneIn(PIXELS_AN_EXCUSE);
     }
@@ -51,7 +54,7 @@ class SeveralLightsTest {
         for (int seed = 0; seed < 15; seed++) {
             Random random = new Random(seed);
             LitScene scene = RandomLights.added(RandomMeshes.scene(random, random.nextInt(4)), random);
-            judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, scene), scene);
+            judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, world.input(scene)), scene);
         }
         judge.requireExcusedAtMostOneIn(MESH_PIXELS_AN_EXCUSE);
     }
@@ -66,7 +69,7 @@ class SeveralLightsTest {
         requireOracles(RandomLights::ofSpots);
     }
 
-    private static void requireOracles(BiFunction<LitScene, Random, LitScene> lights) {
+    private void requireOracles(BiFunction<LitScene, Random, LitScene> lights) {
         PixelJudge judge = new PixelJudge();
         for (int seed = 0; seed < 30; seed++) {
             Random random = new Random(seed);
@@ -74,7 +77,7 @@ class SeveralLightsTest {
                     ? RandomMeshes.scene(random, random.nextInt(4))
                     : RandomMaterials.scene(random, random.nextInt(4));
             LitScene scene = lights.apply(lit, random);
-            judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, scene), scene);
+            judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, world.input(scene)), scene);
         }
         judge.requireExcusedAtMostOneIn(MESH_PIXELS_AN_EXCUSE);
     }
@@ -86,7 +89,8 @@ class SeveralLightsTest {
             Random random = new Random(seed);
             LitScene lit = RandomMaterials.scene(random, 3);
             LitScene scene = seed % 2 == 0 ? RandomLights.ofSuns(lit, random) : RandomLights.ofSpots(lit, random);
-            assertThat(Pictures.argb(engine, scene)).isEqualTo(Pictures.argb(JvmEngines.SEQUENTIAL, scene));
+            FrameInput input = world.input(scene);
+            assertThat(Pictures.argb(engine, input)).isEqualTo(Pictures.argb(JvmEngines.SEQUENTIAL, input));
         }
     }
 
@@ -97,7 +101,8 @@ class SeveralLightsTest {
             Random random = new Random(seed);
             LitScene lit = seed % 3 == 0 ? RandomMeshes.scene(random, 3) : RandomMaterials.scene(random, 3);
             LitScene scene = RandomLights.added(lit, random);
-            assertThat(Pictures.argb(engine, scene)).isEqualTo(Pictures.argb(JvmEngines.SEQUENTIAL, scene));
+            FrameInput input = world.input(scene);
+            assertThat(Pictures.argb(engine, input)).isEqualTo(Pictures.argb(JvmEngines.SEQUENTIAL, input));
         }
     }
 
@@ -111,9 +116,10 @@ class SeveralLightsTest {
             Light none = first.withShare(0).withColor(new Rgb(0, 0, 0)).withPosition(new Vector3(3e5, 3e5, 3e5));
             Scene two = one.withLights(new Lights(List.of(first, none)));
             LitScene scene = new LitScene(two, lit.images(), lit.meshes());
-            assertThat(scene.world().snapshot().variant(false) & Variant.LIGHTS).isNotZero();
-            assertThat(Pictures.argb(JvmEngines.SEQUENTIAL, scene))
-                    .isEqualTo(Pictures.argb(JvmEngines.SEQUENTIAL, lit));
+            FrameInput input = world.input(scene);
+            assertThat(input.variant(false) & Variant.LIGHTS).isNotZero();
+            assertThat(Pictures.argb(JvmEngines.SEQUENTIAL, input))
+                    .isEqualTo(Pictures.argb(JvmEngines.SEQUENTIAL, world.input(lit)));
         }
     }
 }

@@ -18,9 +18,11 @@ import dev.twister.sky.Skybox;
 import dev.twister.sky.TextureImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SequencedMap;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,20 +30,21 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** What a world makes of an edited scene. */
 class ShownSceneTest {
+    private static final SequencedMap<String, Scene> CHANGES = SceneChanges.of(FullScene.SCENE);
     private static final Scene CROWD = SceneGenerator.spheres(5000, 1, Path.of("none.hdr"));
 
     private final World crowd = World.of(CROWD, Worlds.SKY);
     private final FrameInput before = crowd.snapshot();
 
     static Set<String> places() {
-        return SceneChanges.of(FullScene.SCENE).keySet();
+        return CHANGES.keySet();
     }
 
     @ParameterizedTest
     @MethodSource("places")
     void isWhatANewWorldMakesOfIt(String place) {
         Scene scene = FullScene.SCENE;
-        Scene changed = SceneChanges.of(scene).get(place);
+        Scene changed = CHANGES.get(place);
         SceneMeshes meshes = SceneMeshes.of(scene, FullScene.MESHES);
         SceneMeshes changedMeshes = meshes.changedTo(changed.meshes(), FullScene.MESHES);
         World world = World.of(scene, images(scene), meshes);
@@ -51,6 +54,8 @@ class ShownSceneTest {
 
         assertThat(world.snapshot())
                 .usingRecursiveComparison()
+                .withEqualsForType(Arrays::equals, float[].class)
+                .withEqualsForType(Arrays::equals, int[].class)
                 .isEqualTo(World.of(changed, images(changed), changedMeshes).snapshot());
     }
 

@@ -209,6 +209,24 @@ public final class Benchmark {
         }
     }
 
+    /**
+     * An engine with the name by which it was requested: {@value FastestEngine#AUTO} opens another engine, which may be
+     * measured too.
+     *
+     * @param id the name in the report
+     */
+    record AskedEngine(String id, Engine engine) {
+        /** The engine's device, preceded by the engine's own id if that differs. */
+        String device() {
+            return (engine.id().equals(id) ? "" : engine.id() + ": ") + engine.device();
+        }
+
+        /** Whether the engine runs on a device. */
+        boolean isDevice() {
+            return Engines.isDevice(engine.id());
+        }
+    }
+
     /** Measures an engine at a setting: warm-up frames, then measured ones. */
     private record EngineMeasuring(AskedEngine asked, BenchmarkPlan plan, BenchmarkProgress progress) {
         private static final double NANOS_PER_MILLI = 1e6;

@@ -16,15 +16,15 @@ final class CameraSection {
     /** Walking speeds in meters per second. */
     private static final List<Double> SPEEDS = List.of(0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0);
 
-    private final Studio studio;
     private final List<PropertyRow> rows;
     private final ChoiceRow<Double> speed;
 
     CameraSection(Studio studio) {
-        this.studio = studio;
-        rows = CameraProperties.ALL.stream()
-                .flatMap(property -> rows(property, studio))
-                .toList();
+        rows = PropertyRow.follow(
+                CameraProperties.ALL.stream()
+                        .flatMap(property -> rows(property, studio))
+                        .toList(),
+                studio);
         speed = new ChoiceRow<>(
                 "Speed",
                 "Walking speed in meters per second; Shift is 4 times as fast.",
@@ -36,8 +36,6 @@ final class CameraSection {
         studio.cameraControl()
                 .speedProperty()
                 .subscribe(now -> speed.show(SPEEDS, now, CameraMotion.WALK_METERS_PER_SECOND));
-        studio.sceneProperty().subscribe(_ -> refresh());
-        studio.document().originalProperty().subscribe(_ -> refresh());
     }
 
     private static <V> Stream<PropertyRow> rows(Property<Camera, V> property, Studio studio) {
@@ -50,9 +48,5 @@ final class CameraSection {
     List<PanelRow> rows() {
         return Stream.concat(rows.stream().map(PropertyRow::row), Stream.of(speed))
                 .toList();
-    }
-
-    private void refresh() {
-        rows.forEach(row -> row.show(studio.scene(), studio.document().original()));
     }
 }

@@ -17,6 +17,9 @@ import dev.twister.gui.studio.Denoising;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
+import dev.twister.scene.Scene;
+import dev.twister.scene.property.BodyProperties;
+import dev.twister.scene.property.Property;
 import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.List;
@@ -26,11 +29,11 @@ import javafx.beans.property.BooleanProperty;
 import javafx.css.PseudoClass;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
-import javafx.scene.Scene;
 import javafx.scene.control.Button;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
@@ -43,7 +46,7 @@ public final class Panel extends ScrollPane {
 
     private final EngineSection engine;
     private final CompareSection compare;
-    private final PlaneSection plane;
+    private final List<PropertyRow> plane;
     private final List<PanelSection> sections;
     private final PictureSection picture;
     private final PanelSection pictureSection;
@@ -54,6 +57,9 @@ public final class Panel extends ScrollPane {
     private final PhysicsSection physics;
     private final SelectionSection selection;
     private final MaterialSection material;
+
+    /** What is to be scrolled to once the panel is shown. */
+    private Optional<Region> sought = Optional.empty();
 
     public Panel(
             Studio studio,
@@ -72,7 +78,7 @@ public final class Panel extends ScrollPane {
         camera = new CameraSection(studio);
         light = new LightSection(studio);
         sky = new SkySection(studio, assets);
-        plane = new PlaneSection(studio);
+        plane = PropertyRow.following(Property.within(BodyProperties.PLANE, Scene::ground, Scene::withGround), studio);
         physics = new PhysicsSection(studio, actions);
         selection = new SelectionSection(studio, tags);
         material = new MaterialSection(studio, assets);
@@ -86,8 +92,8 @@ public final class Panel extends ScrollPane {
         pictureSection = section("Picture", picture.rows());
         pictureSection.add(histogram);
         PanelSection lightSection = section("Light", light.rows());
-        PanelSection planeSection = section("Plane", plane.rows());
-        planeSection.add(plane.buttons());
+        PanelSection planeSection = section("Plane", rows(plane));
+        planeSection.add(selectPlane(studio));
         PanelSection selectionSection = new PanelSection("Selection", selection.bodies(), selection);
         PanelSection materialSection = new PanelSection("Material", material);
         materialSection.visibleProperty().bind(material.visibleProperty());
@@ -109,7 +115,7 @@ public final class Panel extends ScrollPane {
         all.getStyleClass().add("sections");
         setId("panel");
         sceneProperty()
-                .flatMap(Scene::widthProperty)
+                .flatMap(window -> window.widthProperty())
                 .subscribe(width -> pseudoClassStateChanged(
                         WIDE,
                         width != null
@@ -119,6 +125,7 @@ public final class Panel extends ScrollPane {
         setFitToWidth(true);
         setHbarPolicy(ScrollBarPolicy.NEVER);
         setFocusTraversable(false);
+        visibleProperty().subscribe(this::scrollToSought);
         studio.selection().activeProperty().subscribe((_, body) -> {
             if (body.intValue() != BodyNumber.NONE) {
                 PanelSection ofBody = body.intValue() == BodyNumber.PLANE ? materialSection : selectionSection;
@@ -139,11 +146,25 @@ public final class Panel extends ScrollPane {
                         camera.rows(),
                         light.rows(),
                         sky.rows(),
-                        plane.rows(),
+                        rows(plane),
                         physics.rows(),
                         compare.rows())
                 .flatMap(List::stream)
                 .toList();
+    }
+
+    private static List<PanelRow> rows(List<PropertyRow> rows) {
+        return rows.stream().map(PropertyRow::row).toList();
+    }
+
+    private static HBox selectPlane(Studio studio) {
+        Button select = new Button("Colors and material…");
+        select.setId("select-plane");
+        select.setTooltip(Tooltips.of("Selects the plane, so that Material shows its colors and reflectivity."));
+        select.setOnAction(_ -> studio.selection().select(BodyNumber.PLANE));
+        HBox buttons = new HBox(select);
+        buttons.getStyleClass().add("buttons");
+        return buttons;
     }
 
     /** Enters typed numbers; returns false and tells why if one is not allowed. */
@@ -208,8 +229,20 @@ public final class Panel extends ScrollPane {
                 isFolded -> settings.change(kept -> kept.withFolded(section.heading(), isFolded))));
     }
 
-    /** Scrolls a part to the middle of the panel, unless it is visible. */
+    /** Scrolls a part to the middle of the panel, unless it is visible; a hidden panel does so once it is shown. */
     public void scrollTo(Region part) {
+        sought = Optional.of(part);
+        scrollToSought();
+    }
+
+    private void scrollToSought() {
+        if (isVisible()) {
+            sought.ifPresent(this::scrollShown);
+            sought = Optional.empty();
+        }
+    }
+
+    private void scrollShown(Region part) {
         applyCss();
         layout();
         Bounds place = getContent().sceneToLocal(part.localToScene(part.getLayoutBounds()));

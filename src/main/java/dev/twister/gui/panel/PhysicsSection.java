@@ -27,13 +27,12 @@ final class PhysicsSection {
                 "Simulate physics. Off: bodies return to their places in the scene.",
                 "Alt+M",
                 studio.motion()::setOn);
-        rows = PropertyRow.of(Property.within(SceneProperties.PHYSICS, Scene::physics, Scene::withPhysics), studio);
+        rows = PropertyRow.following(
+                Property.within(SceneProperties.PHYSICS, Scene::physics, Scene::withPhysics), studio);
         pause = button(Command.PAUSE, actions);
         buttons = new HBox(pause, button(Command.STEP, actions), button(Command.RANDOMIZE, actions));
         buttons.getStyleClass().add("buttons");
         studio.motion().motionProperty().subscribe(motion -> show(motion));
-        studio.sceneProperty().subscribe(scene -> show(scene, studio.document().original()));
-        studio.document().originalProperty().subscribe(original -> show(studio.scene(), original));
     }
 
     List<PanelRow> rows() {
@@ -43,10 +42,6 @@ final class PhysicsSection {
 
     HBox buttons() {
         return buttons;
-    }
-
-    private void show(Scene scene, Scene usual) {
-        rows.forEach(row -> row.show(scene, usual));
     }
 
     private void show(Motion motion) {

@@ -13,86 +13,53 @@ import java.util.List;
 import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
 
-/** Settings of the picture: samples, exposure, tone mapping. */
+/** Settings of the picture: samples, exposure, tone mapping, and how it is refined at rest. */
 final class PictureSection {
-    private final Studio studio;
     private final List<PropertyRow> rows;
     private final SwitchRow refining;
+    private final ChoiceRow<Double> noise;
+    private final SwitchRow denoise;
     private final SwitchRow clipping;
-    private final RestRows rest;
 
     /** @param clippingShown whether clipped pixels are marked */
     PictureSection(Studio studio, BackgroundTasks tasks, BooleanProperty clippingShown) {
-        this.studio = studio;
-        rows = PropertyRow.of(
+        rows = PropertyRow.following(
                 Property.within(SceneProperties.RENDERING, Scene::rendering, Scene::withRendering), studio);
         refining = new SwitchRow(
                 "Refine at rest",
                 "Keep refining the picture while nothing moves.",
                 "Alt+N",
                 studio.refiningProperty()::set);
+        noise = new ChoiceRow<>(
+                "Stop at noise",
+                "With path tracing: stop refining at this noise, an error in percent of white.",
+                "",
+                goal -> new Look(RefinementGoal.noiseLabel(goal)),
+                studio.noiseGoalProperty()::set,
+                studio::notice);
+        denoise = new SwitchRow(
+                "Denoise",
+                "With path tracing: remove the noise, by Open Image Denoise where it is installed, else by a filter.",
+                "",
+                on -> setDenoising(on, studio, tasks));
         clipping = new SwitchRow("Show clipping", Command.CLIPPING.hint(), "Alt+Z", clippingShown::set);
-        rest = new RestRows(studio, tasks);
-        clippingShown.subscribe(on -> clipping.show(on, false));
-        studio.sceneProperty().subscribe(_ -> refresh());
-        studio.document().originalProperty().subscribe(_ -> refresh());
         studio.refiningProperty().subscribe(on -> refining.show(on, true));
+        studio.noiseGoalProperty().subscribe(goal -> noise.show(RefinementGoal.NOISES, goal, RefinementGoal.NO_NOISE));
+        studio.denoiserProperty().subscribe(denoiser -> denoise.show(denoiser.isPresent(), true));
+        clippingShown.subscribe(on -> clipping.show(on, false));
     }
 
     List<PanelRow> rows() {
-        return Stream.of(
-                        rows.stream().map(PropertyRow::row),
-                        Stream.of(refining),
-                        rest.rows().stream(),
-                        Stream.of(clipping))
-                .<PanelRow>flatMap(all -> all)
+        return Stream.concat(
+                        rows.stream().map(PropertyRow::row), Stream.<PanelRow>of(refining, noise, denoise, clipping))
                 .toList();
     }
 
-    private void refresh() {
-        Scene scene = studio.scene();
-        Scene usual = studio.document().original();
-        rows.forEach(row -> row.show(scene, usual));
-    }
-
-    /** How long a path-traced picture at rest is refined, and whether its noise is removed. */
-    private static final class RestRows {
-        private final Studio studio;
-        private final BackgroundTasks tasks;
-        private final ChoiceRow<Double> noise;
-        private final SwitchRow denoise;
-
-        RestRows(Studio studio, BackgroundTasks tasks) {
-            this.studio = studio;
-            this.tasks = tasks;
-            noise = new ChoiceRow<>(
-                    "Stop at noise",
-                    "With path tracing: stop refining at this noise, an error in percent of white.",
-                    "",
-                    goal -> new Look(RefinementGoal.noiseLabel(goal)),
-                    studio.noiseGoalProperty()::set,
-                    studio::notice);
-            denoise = new SwitchRow(
-                    "Denoise",
-                    "With path tracing: remove the noise, by Open Image Denoise where it is installed, else by a"
-                            + " filter.",
-                    "",
-                    this::setDenoising);
-            studio.noiseGoalProperty()
-                    .subscribe(goal -> noise.show(RefinementGoal.NOISES, goal, RefinementGoal.NO_NOISE));
-            studio.denoiserProperty().subscribe(denoiser -> denoise.show(denoiser.isPresent(), true));
-        }
-
-        List<PanelRow> rows() {
-            return List.of(noise, denoise);
-        }
-
-        private void setDenoising(boolean on) {
-            if (on) {
-                Denoising.start(studio, tasks, studio::notice);
-            } else {
-                Denoising.stop(studio);
-            }
+    private static void setDenoising(boolean on, Studio studio, BackgroundTasks tasks) {
+        if (on) {
+            Denoising.start(studio, tasks, studio::notice);
+        } else {
+            Denoising.stop(studio);
         }
     }
 }

@@ -36,6 +36,19 @@ record PropertyRow(PanelRow row, BiConsumer<Scene, Scene> follow, Optional<Integ
                 .toList();
     }
 
+    /** The same, which show the scene, and lead back to the one that was opened. */
+    static List<PropertyRow> following(List<Property<Scene, ?>> properties, Studio studio) {
+        return follow(of(properties, studio), studio);
+    }
+
+    static List<PropertyRow> follow(List<PropertyRow> rows, Studio studio) {
+        Runnable show = () ->
+                rows.forEach(row -> row.show(studio.scene(), studio.document().original()));
+        studio.sceneProperty().subscribe(_ -> show.run());
+        studio.document().originalProperty().subscribe(_ -> show.run());
+        return rows;
+    }
+
     @SuppressWarnings("unchecked") // a property's values are of its type
     static Stream<PropertyRow> of(Property<Scene, ?> property, Studio studio) {
         return switch (property.type()) {

@@ -36,7 +36,7 @@ final class SkySection {
         other.setTooltip(Tooltips.of("Chooses a panorama's file: .hdr, .exr, .png or .jpg."));
         other.setOnAction(_ -> assets.chooseSky());
         sky.addControl(other);
-        rows = PropertyRow.of(Property.within(SceneProperties.SKY, Scene::sky, Scene::withSky), studio);
+        rows = PropertyRow.following(Property.within(SceneProperties.SKY, Scene::sky, Scene::withSky), studio);
         daylight = NumberRow.of(DaylightFile.NUMBERS, studio);
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.document().originalProperty().subscribe(_ -> refresh());
@@ -59,7 +59,6 @@ final class SkySection {
         Path own = studio.document().original().sky().file();
         sky.show(Stream.concat(known.stream(), Stream.of(own, used)).distinct().toList(), used, own);
         Scene usual = studio.document().original();
-        rows.forEach(row -> row.show(studio.scene(), usual));
         // A reset of these must not replace a sky of another kind.
         boolean replaced = DaylightFile.of(used).isEmpty();
         daylight.forEach(row -> row.show(studio.scene(), replaced ? studio.scene() : usual));

@@ -79,15 +79,6 @@ public final class SceneAssets {
     }
 
     /**
-     * Reads the textures that a scene uses.
-     *
-     * @throws dev.twister.sky.SkyException if one cannot be read
-     */
-    public void readTextures(Scene textured) {
-        skies.refreshTextures(textured);
-    }
-
-    /**
      * Reads a texture that the scene does not use yet.
      *
      * @throws dev.twister.sky.SkyException if it cannot be read

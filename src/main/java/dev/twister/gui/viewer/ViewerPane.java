@@ -1,6 +1,8 @@
 package dev.twister.gui.viewer;
 
 import dev.twister.gui.controls.Dialogs;
+import dev.twister.gui.controls.Ids;
+import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.picture.ShownRadiance;
 import dev.twister.gui.property.ScreenColor;
 import dev.twister.gui.studio.BackgroundTasks;
@@ -17,11 +19,16 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 import javafx.animation.PauseTransition;
 import javafx.application.Platform;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.ColorPicker;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.Slider;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.ToggleGroup;
 import javafx.scene.image.ImageView;
 import javafx.scene.image.PixelBuffer;
 import javafx.scene.image.PixelFormat;
@@ -29,6 +36,7 @@ import javafx.scene.image.WritableImage;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
 import javafx.scene.paint.Color;
@@ -301,5 +309,52 @@ final class ViewerPane extends BorderPane {
                 shown[picture.at(column, row, 1)],
                 shown[picture.at(column, row, 2)],
                 100 * zoom));
+    }
+
+    /** The ways to compare the picture of a file with the rendering. */
+    private static final class CompareControls extends VBox {
+        private final ObjectProperty<Mode> mode = new SimpleObjectProperty<>(Mode.FIRST);
+        private final ToggleGroup group = new ToggleGroup();
+        private final Label result = new Label();
+
+        /** @param take takes the present rendering */
+        CompareControls(Runnable take) {
+            getStyleClass().add("rows");
+            FlowPane buttons = new FlowPane();
+            buttons.getStyleClass().add("compare-modes");
+            for (Mode one : Mode.values()) {
+                ToggleButton button = new ToggleButton(one.label());
+                button.setId("compare-" + Ids.of(one.label()));
+                button.setTooltip(Tooltips.of(one.hint()));
+                button.setToggleGroup(group);
+                button.setOnAction(_ -> {
+                    // A click on the chosen one does not take the choice back.
+                    button.setSelected(true);
+                    mode.set(one);
+                });
+                mode.subscribe(now -> button.setSelected(now == one));
+                buttons.getChildren().add(button);
+            }
+            Button again = new Button("Take the rendering again");
+            again.setId("compare-again");
+            again.setTooltip(Tooltips.of("Compares with the window's picture as it is now."));
+            again.setOnAction(_ -> take.run());
+            result.setId("compare-result");
+            result.setWrapText(true);
+            getChildren().addAll(new Label("Compare with the rendering"), buttons, again, result);
+        }
+
+        ObjectProperty<Mode> modeProperty() {
+            return mode;
+        }
+
+        /** Goes to and fro between the two pictures. */
+        void flip() {
+            mode.set(mode.get() == Mode.SECOND ? Mode.FIRST : Mode.SECOND);
+        }
+
+        void tell(String text) {
+            result.setText(text);
+        }
     }
 }

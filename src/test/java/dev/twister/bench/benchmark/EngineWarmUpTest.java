@@ -48,7 +48,7 @@ class EngineWarmUpTest {
 
     private void warmUp(String id, double seconds, List<FrameInput> inputs) {
         new Benchmark.EngineWarmUp(seconds, BenchmarkProgress.SILENT)
-                .run(new AskedEngine(id, new CompiledLate(id, drawn)), new PictureSize(1280, 720), inputs);
+                .run(new Benchmark.AskedEngine(id, new CompiledLate(id, drawn)), new PictureSize(1280, 720), inputs);
     }
 
     /** Reports frame times that fall by a tenth from frame to frame until the engine counts as compiled. */

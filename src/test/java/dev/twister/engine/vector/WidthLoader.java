@@ -17,8 +17,8 @@ import java.util.function.IntPredicate;
 import jdk.incubator.vector.FloatVector;
 
 /**
- * Loads the engine's classes once per vector width, as the lane count is a class constant. All other classes come from
- * the parent loader. Tests of one width share its classes, and with them the compiled code.
+ * Loads the engine's classes once per vector width other than the CPU's, as the lane count is a class constant. All
+ * other classes come from the parent loader. Tests of one width share its classes, and with them the compiled code.
  */
 final class WidthLoader extends ClassLoader {
     private static final String PACKAGE = VectorEngines.class.getPackageName() + ".";
@@ -30,10 +30,16 @@ final class WidthLoader extends ClassLoader {
      * Vector widths in bits at which pictures are compared: the CPU's own, or 128, 256 and 512 with
      * {@code -Dtwister.widths=all}. Tests of other widths are skipped.
      */
-    static final List<Integer> WIDTHS =
-            ALL ? List.of(128, 256, 512) : List.of(Math.clamp(FloatVector.SPECIES_PREFERRED.vectorBitSize(), 128, 512));
+    static final List<Integer> WIDTHS = ALL ? List.of(128, 256, 512) : List.of(ownBits());
+
+    /** The width at which all other tests run; its compiled code serves them all. */
+    private static final Map<String, String> OWN = Map.of(Lanes.BITS_PROPERTY, Integer.toString(ownBits()));
 
     private static final Map<Map<String, String>, WidthLoader> LOADERS = new ConcurrentHashMap<>();
+
+    private static int ownBits() {
+        return Math.clamp(FloatVector.SPECIES_PREFERRED.vectorBitSize(), 128, 512);
+    }
 
     private WidthLoader() {
         super(WidthLoader.class.getClassLoader());
@@ -77,8 +83,10 @@ final class WidthLoader extends ClassLoader {
         Properties before = (Properties) System.getProperties().clone();
         System.getProperties().putAll(properties);
         try {
-            Class<?> engines = LOADERS.computeIfAbsent(properties, _ -> new WidthLoader())
-                    .loadClass(VectorEngines.class.getName());
+            Class<?> engines = properties.equals(OWN)
+                    ? VectorEngines.class
+                    : LOADERS.computeIfAbsent(properties, _ -> new WidthLoader())
+                            .loadClass(VectorEngines.class.getName());
             Class<?>[] types = Arrays.stream(arguments)
                     .map(argument -> argument instanceof Integer ? int.class : IntPredicate.class)
                     .toArray(Class<?>[]::new);
