@@ -459,17 +459,19 @@ public final class Layout {
      */
     public static final int NODE_LINK = 6;
 
-    /** Number of spheres (or meshes, or triangles) in a leaf; negative for a node with children. */
+    /** Number of spheres (or triangles) in a leaf; negative for a node with children. */
     public static final int NODE_SPHERES = 7;
 
     /** Distance between nodes. */
     public static final int NODE_STRIDE = 8;
 
     /**
-     * After the spheres' hierarchy, at {@link #INSTANCES}: the number of nodes over the meshes, those nodes with the
-     * root first, then the instances of {@code meshes} in the order of the leaves. Links are numbers of nodes and
-     * instances. An instance starts with three rows of three coefficients and an offset that transform a point of the
-     * world to the mesh's coordinates, then three rows for the inverse.
+     * After the spheres' hierarchy, at {@link #INSTANCES}: the length of nodes and small meshes divided by
+     * {@value #NODE_STRIDE}; the nodes over the meshes, the root first; the small meshes; then the instances of
+     * {@code meshes}. Links are numbers of nodes and instances. A leaf's {@link #NODE_SPHERES} are 0, or the number of
+     * triangles of a small mesh, whose place after the root's is the link. An instance starts with three rows of three
+     * coefficients and an offset that transform a point of the world to the mesh's coordinates, then three rows for the
+     * inverse.
      */
     public static final int INSTANCE_TO_MESH = 0;
 
@@ -494,6 +496,18 @@ public final class Layout {
     public static final int INSTANCE_COLORS = 31;
     public static final int INSTANCE_TANGENTS = 32;
     public static final int INSTANCE_STRIDE = 33;
+
+    /**
+     * A small mesh has the triangles of an instance in the world's coordinates, if that is opaque and its mesh has one
+     * leaf. It starts with the instance's number, and the largest sum of magnitudes that was rounded when a corner was
+     * transformed.
+     */
+    public static final int SMALL_INSTANCE = 0;
+
+    public static final int SMALL_REACH = 1;
+
+    /** Place of its triangles, which are those of the mesh without vertex numbers. */
+    public static final int SMALL_TRIANGLES = 2;
 
     /**
      * {@code float[] meshes}, all distinct meshes. A mesh has nodes as above, the root first, with numbers of nodes and

@@ -64,8 +64,11 @@ final class MeshHit {
                 }
                 next = near <= path[Layout.DISTANCE] ? child + Layout.NODE_STRIDE * swapped : Layout.NO_NODE;
             }
-            for (int i = 0; i < count; i++) {
-                hit = inMesh(path, hit, link + i, scratch, frame, bodies, looks, meshes, variant);
+            if (count == 0) {
+                hit = inMesh(path, hit, link, scratch, frame, bodies, looks, meshes, variant);
+            }
+            if (count > 0) {
+                hit = inSmall(path, hit, nodes + link, count, frame, bodies, looks, meshes, variant);
             }
             while (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
@@ -108,11 +111,7 @@ final class MeshHit {
         float inverseZ = NodeBox.inverse(path[Layout.MESH_DIRECTION + 2]);
         int nodes = Instance.nodes(bodies, instance);
         int triangles = Instance.triangles(bodies, instance);
-        int body = (int) bodies[instance + Layout.INSTANCE_BODY];
-        int crossed = (path[Layout.INSIDE] < 0f ? 1 : 0) | (path[Layout.INSIDE] > 1f ? 1 : 0);
-        int meetsTouching = crossed & (body == (int) path[Layout.LEAVING] ? 0 : 1);
-        path[Layout.MESH_REACH] = meetsTouching != 0 ? -path[Layout.MESH_REACH] : path[Layout.MESH_REACH];
-        int ignored = body == (int) path[Layout.LEAVING] ? (int) path[Layout.LEAVING_TRIANGLE] : Layout.NOTHING;
+        touch(path, number, frame, bodies);
         int hit = closest;
         float distance = path[Layout.DISTANCE];
         float growth = NodeBox.growth(meshes, nodes, x, y, z);
@@ -141,26 +140,10 @@ final class MeshHit {
                 next = near <= distance ? child + Layout.NODE_STRIDE * swapped : Layout.NO_NODE;
             }
             for (int i = 0; i < count; i++) {
-                int triangle = link + i;
-                float met = Triangle.distance(path, triangles + Layout.TRIANGLE_STRIDE * triangle, meshes);
-                int near = (met <= distance * (1f + Coincidence.TOLERANCE) ? 1 : 0) & (met < Intersection.MISS ? 1 : 0);
-                int candidate = near & (triangle != ignored ? 1 : 0);
-                if ((variant & Variant.MASKS) != 0) {
-                    if (candidate != 0) {
-                        candidate =
-                                1 - Opacity.lets(path, body, instance, triangle, frame, bodies, looks, meshes, variant);
-                    }
-                }
-                if (candidate != 0) {
-                    int taken = Coincidence.replaces(path, hit, distance, met, number, triangle, frame, bodies, meshes);
-                    if (taken != 0) {
-                        hit = body;
-                        distance = met;
-                        path[Layout.INSTANCE] = number;
-                        path[Layout.TRIANGLE] = triangle;
-                    }
-                }
+                float met = Triangle.distance(path, triangles + Layout.TRIANGLE_STRIDE * (link + i), meshes);
+                hit = meet(path, hit, met, number, link + i, frame, bodies, looks, meshes, variant);
             }
+            distance = path[Layout.DISTANCE];
             while (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
                 float entry = scratch[Layout.SCRATCH_RAY_NODES + 2 * waiting + 1];
@@ -169,7 +152,94 @@ final class MeshHit {
             }
             node = next;
         }
-        path[Layout.DISTANCE] = distance;
+        return hit;
+    }
+
+    /**
+     * As above for a small mesh, in the world's coordinates.
+     *
+     * @param small its place
+     * @param count number of its triangles
+     */
+    private static int inSmall(
+            float[] path,
+            int closest,
+            int small,
+            int count,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            int variant) {
+        MeshRay.stay(
+                path,
+                small,
+                path[Layout.ORIGIN],
+                path[Layout.ORIGIN + 1],
+                path[Layout.ORIGIN + 2],
+                path[Layout.DIRECTION],
+                path[Layout.DIRECTION + 1],
+                path[Layout.DIRECTION + 2],
+                bodies);
+        int number = (int) bodies[small + Layout.SMALL_INSTANCE];
+        touch(path, number, frame, bodies);
+        int hit = closest;
+        Views.count(path, Views.TESTS, count, variant);
+        for (int i = 0; i < count; i++) {
+            float met = Triangle.distance(path, small + Layout.SMALL_TRIANGLES + Layout.TRIANGLE_STRIDE * i, bodies);
+            hit = meet(path, hit, met, number, i, frame, bodies, looks, meshes, variant);
+        }
+        return hit;
+    }
+
+    /** Makes a ray that has crossed another body's surface meet those of the instance in the same place. */
+    private static void touch(float[] path, int number, float[] frame, float[] bodies) {
+        int body = (int) bodies[Instance.at(number, (int) frame[Layout.INSTANCES], bodies) + Layout.INSTANCE_BODY];
+        int crossed = (path[Layout.INSIDE] < 0f ? 1 : 0) | (path[Layout.INSIDE] > 1f ? 1 : 0);
+        int meetsTouching = crossed & (body == (int) path[Layout.LEAVING] ? 0 : 1);
+        path[Layout.MESH_REACH] = meetsTouching != 0 ? -path[Layout.MESH_REACH] : path[Layout.MESH_REACH];
+    }
+
+    /**
+     * The closest body so far, or that of a triangle which replaces it.
+     *
+     * @param met distance to the triangle
+     */
+    private static int meet(
+            float[] path,
+            int closest,
+            float met,
+            int number,
+            int triangle,
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            int variant) {
+        int hit = closest;
+        float distance = path[Layout.DISTANCE];
+        int near = (met <= distance * (1f + Coincidence.TOLERANCE) ? 1 : 0) & (met < Intersection.MISS ? 1 : 0);
+        if (near != 0) {
+            int instance = Instance.at(number, (int) frame[Layout.INSTANCES], bodies);
+            int body = (int) bodies[instance + Layout.INSTANCE_BODY];
+            int own = (body == (int) path[Layout.LEAVING] ? 1 : 0)
+                    & (triangle == (int) path[Layout.LEAVING_TRIANGLE] ? 1 : 0);
+            int candidate = 1 - own;
+            if ((variant & Variant.MASKS) != 0) {
+                if (candidate != 0) {
+                    candidate = 1 - Opacity.lets(path, body, instance, triangle, frame, bodies, looks, meshes, variant);
+                }
+            }
+            if (candidate != 0) {
+                int taken = Coincidence.replaces(path, hit, distance, met, number, triangle, frame, bodies, meshes);
+                if (taken != 0) {
+                    hit = body;
+                    path[Layout.DISTANCE] = met;
+                    path[Layout.INSTANCE] = number;
+                    path[Layout.TRIANGLE] = triangle;
+                }
+            }
+        }
         return hit;
     }
 }

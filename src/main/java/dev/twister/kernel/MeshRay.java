@@ -29,6 +29,40 @@ public final class MeshRay {
         float directionX = Instance.vector(bodies, row, alongX, alongY, alongZ);
         float directionY = Instance.vector(bodies, row + 4, alongX, alongY, alongZ);
         float directionZ = Instance.vector(bodies, row + 8, alongX, alongY, alongZ);
+        float reach = Math.max(
+                Math.max(Instance.reach(bodies, row, x, y, z), Instance.reach(bodies, row + 4, x, y, z)),
+                Instance.reach(bodies, row + 8, x, y, z));
+        write(path, originX, originY, originZ, directionX, directionY, directionZ, reach);
+    }
+
+    /**
+     * As {@link #enter} for a small mesh, whose triangles are in the world's coordinates.
+     *
+     * @param small its place in {@code bodies}
+     */
+    public static void stay(
+            float[] path,
+            int small,
+            float x,
+            float y,
+            float z,
+            float alongX,
+            float alongY,
+            float alongZ,
+            float[] bodies) {
+        float reach = Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.abs(z)) + bodies[small + Layout.SMALL_REACH];
+        write(path, x, y, z, alongX, alongY, alongZ, reach);
+    }
+
+    private static void write(
+            float[] path,
+            float originX,
+            float originY,
+            float originZ,
+            float directionX,
+            float directionY,
+            float directionZ,
+            float reach) {
         int axis = Triangle.longestAxis(directionX, directionY, directionZ);
         int firstAxis = Triangle.after(axis);
         int secondAxis = Triangle.after(firstAxis);
@@ -46,8 +80,6 @@ public final class MeshRay {
         path[Layout.MESH_SHEAR] = Triangle.along(firstAxis, directionX, directionY, directionZ) * inverse;
         path[Layout.MESH_SHEAR + 1] = Triangle.along(secondAxis, directionX, directionY, directionZ) * inverse;
         path[Layout.MESH_SHEAR + 2] = inverse;
-        path[Layout.MESH_REACH] = Math.max(
-                Math.max(Instance.reach(bodies, row, x, y, z), Instance.reach(bodies, row + 4, x, y, z)),
-                Instance.reach(bodies, row + 8, x, y, z));
+        path[Layout.MESH_REACH] = reach;
     }
 }

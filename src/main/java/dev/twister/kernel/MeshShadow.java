@@ -124,22 +124,17 @@ final class MeshShadow {
                 next = first <= 1f ? child : only;
             }
             int lit = light > 0f ? 1 : 0;
-            for (int i = 0; i < count && lit != 0; i++) {
-                int instance = Instance.at(link + i, (int) frame[Layout.INSTANCES], bodies);
+            if ((lit & (count == 0 ? 1 : 0)) != 0) {
+                int instance = Instance.at(link, (int) frame[Layout.INSTANCES], bodies);
                 int body = (int) bodies[instance + Layout.INSTANCE_BODY];
-                MeshRay.enter(
-                        path,
-                        instance,
-                        path[Layout.POINT],
-                        path[Layout.POINT + 1],
-                        path[Layout.POINT + 2],
-                        directionX,
-                        directionY,
-                        directionZ,
-                        bodies);
+                MeshRay.enter(path, instance, pointX, pointY, pointZ, directionX, directionY, directionZ, bodies);
                 int ignored = body == own ? (int) path[Layout.LEAVING_TRIANGLE] : Layout.NOTHING;
                 light = light * passed(path, body, instance, ignored, scratch, frame, bodies, looks, meshes, variant);
-                lit = light > 0f ? 1 : 0;
+            }
+            if ((lit & (count > 0 ? 1 : 0)) != 0) {
+                int small = nodes + link;
+                MeshRay.stay(path, small, pointX, pointY, pointZ, directionX, directionY, directionZ, bodies);
+                light = blocks(path, own, small, count, frame, bodies, variant) != 0 ? 0f : light;
             }
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
@@ -218,5 +213,20 @@ final class MeshShadow {
             node = met == 0 ? next : Layout.NO_NODE;
         }
         return met != 0 ? Shadow.transmission(body, looks, variant) : through;
+    }
+
+    /** 1 if any triangle of a small mesh, but the ignored one, lies between the point and the end of the direction. */
+    private static int blocks(float[] path, int own, int small, int count, float[] frame, float[] bodies, int variant) {
+        int instance = Instance.at((int) bodies[small + Layout.SMALL_INSTANCE], (int) frame[Layout.INSTANCES], bodies);
+        int body = (int) bodies[instance + Layout.INSTANCE_BODY];
+        int ignored = body == own ? (int) path[Layout.LEAVING_TRIANGLE] : Layout.NOTHING;
+        int met = 0;
+        Views.count(path, Views.TESTS, count, variant);
+        for (int i = 0; i < count; i++) {
+            float distance =
+                    Triangle.distance(path, small + Layout.SMALL_TRIANGLES + Layout.TRIANGLE_STRIDE * i, bodies);
+            met = met | ((distance < 1f ? 1 : 0) & (i != ignored ? 1 : 0));
+        }
+        return met;
     }
 }

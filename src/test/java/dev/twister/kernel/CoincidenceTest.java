@@ -55,7 +55,18 @@ class CoincidenceTest {
 
     private float lowestTriangle(FrameInput input) {
         float[] bodies = input.bodies().floats();
-        int triangles = Instance.triangles(bodies, Instance.at(0, input.bodies().instances(), bodies));
+        int instance = Instance.at(0, input.bodies().instances(), bodies);
+        MeshRay.enter(
+                path,
+                instance,
+                path[Layout.ORIGIN],
+                path[Layout.ORIGIN + 1],
+                path[Layout.ORIGIN + 2],
+                path[Layout.DIRECTION],
+                path[Layout.DIRECTION + 1],
+                path[Layout.DIRECTION + 2],
+                bodies);
+        int triangles = Instance.triangles(bodies, instance);
         int lowest = 0;
         while (Triangle.distance(
                         path,

@@ -10,6 +10,9 @@ import java.util.List;
 
 /** The meshes' part of the hierarchy, see {@link Layout}: the nodes and the instances. */
 public final class InstanceTable {
+    /** With more meshes, places of small ones may be above 2^24, beyond which floats do not hold all ints. */
+    private static final int MOST_WITH_SMALL = 1 << 17;
+
     private final float[] meshes;
     private final List<Integer> bodies = new ArrayList<>();
     private final List<MeshBody> shown = new ArrayList<>();
@@ -44,21 +47,37 @@ public final class InstanceTable {
     }
 
     private float[] floats() {
-        float[] boxes = new float[6 * shown.size()];
-        for (int i = 0; i < shown.size(); i++) {
-            MeshBox.of(shown.get(i), meshes).write(boxes, 6 * i);
+        boolean few = shown.size() <= MOST_WITH_SMALL;
+        List<InstanceLeaf> leaves =
+                shown.stream().map(body -> InstanceLeaf.of(body, meshes, few)).toList();
+        float[] boxes = new float[6 * leaves.size()];
+        int length = 0;
+        for (int i = 0; i < leaves.size(); i++) {
+            leaves.get(i).box().write(boxes, 6 * i);
+            length += leaves.get(i).floats().length;
         }
-        int[] order = new int[shown.size()];
+        int[] order = new int[leaves.size()];
         float[] nodes = BoxTree.nodes(new BoxTree.Boxes(boxes, order, 1, instance -> instance));
-        float[] floats = new float[1 + nodes.length + Layout.INSTANCE_STRIDE * order.length];
-        int count = nodes.length / Layout.NODE_STRIDE;
-        floats[0] = count;
-        System.arraycopy(nodes, 0, floats, 1, nodes.length);
-        int at = 1 + nodes.length;
-        for (int instance : order) {
-            write(floats, at, instance);
-            at += Layout.INSTANCE_STRIDE;
+        int before = (nodes.length + length + Layout.NODE_STRIDE - 1) / Layout.NODE_STRIDE;
+        int instances = 1 + Layout.NODE_STRIDE * before;
+        float[] floats = new float[instances + Layout.INSTANCE_STRIDE * order.length];
+        floats[0] = before;
+        int end = nodes.length;
+        for (int node = 0; node < nodes.length; node += Layout.NODE_STRIDE) {
+            if (nodes[node + Layout.NODE_SPHERES] > 0) {
+                int number = (int) nodes[node + Layout.NODE_LINK];
+                InstanceLeaf leaf = leaves.get(order[number]);
+                write(floats, instances + Layout.INSTANCE_STRIDE * number, order[number]);
+                nodes[node + Layout.NODE_SPHERES] = leaf.triangles();
+                if (leaf.triangles() > 0) {
+                    nodes[node + Layout.NODE_LINK] = end;
+                    System.arraycopy(leaf.floats(), 0, floats, 1 + end, leaf.floats().length);
+                    floats[1 + end + Layout.SMALL_INSTANCE] = number;
+                    end += leaf.floats().length;
+                }
+            }
         }
+        System.arraycopy(nodes, 0, floats, 1, nodes.length);
         return floats;
     }
 

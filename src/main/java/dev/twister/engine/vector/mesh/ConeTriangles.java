@@ -43,31 +43,51 @@ final class ConeTriangles {
         ConeLanes.aim(tile, at, bench.shadows.columns, world, SAME, 0, lanes);
         int leaf = ConeLanes.nextLeaf(tile, world);
         while (leaf != Layout.NO_NODE && count <= MOST) {
-            int instance = Instance.at((int) hierarchy[leaf + Layout.NODE_LINK], bodies.instances(), hierarchy);
-            mesh.start(bodies.meshes(), Instance.nodes(hierarchy, instance));
-            ConeLanes.aim(tile, at, bench.shadows.columns, mesh, hierarchy, instance + Layout.INSTANCE_TO_MESH, lanes);
-            add(tile, instance, Instance.triangles(hierarchy, instance));
+            int inLeaf = (int) hierarchy[leaf + Layout.NODE_SPHERES];
+            int link = (int) hierarchy[leaf + Layout.NODE_LINK];
+            int before = count;
+            if (inLeaf == 0) {
+                int instance = Instance.at(link, bodies.instances(), hierarchy);
+                mesh.start(bodies.meshes(), Instance.nodes(hierarchy, instance));
+                ConeLanes.aim(
+                        tile, at, bench.shadows.columns, mesh, hierarchy, instance + Layout.INSTANCE_TO_MESH, lanes);
+                addMesh(tile, Instance.triangles(hierarchy, instance));
+                end(before, instance);
+            } else {
+                int small = world.nodes + link;
+                add(tile, world, small + Layout.SMALL_TRIANGLES, 0, inLeaf);
+                end(before, Instance.at((int) hierarchy[small + Layout.SMALL_INSTANCE], bodies.instances(), hierarchy));
+            }
             leaf = ConeLanes.nextLeaf(tile, world);
         }
         return count <= MOST;
     }
 
-    /** Adds the triangles of an instance. */
-    private void add(Tile tile, int instance, int first) {
-        int before = count;
+    private void addMesh(Tile tile, int triangles) {
         int leaf = ConeLanes.nextLeaf(tile, mesh);
         while (leaf != Layout.NO_NODE && count <= MOST) {
-            int triangle = (int) mesh.boxes[leaf + Layout.NODE_LINK];
-            int end = triangle + (int) mesh.boxes[leaf + Layout.NODE_SPHERES];
-            while (triangle < end && count <= MOST) {
-                if (ConeLanes.meetTriangle(tile, mesh, first + Layout.TRIANGLE_STRIDE * triangle)) {
-                    triangles[count] = triangle;
-                    count++;
-                }
-                triangle++;
-            }
+            int from = (int) mesh.boxes[leaf + Layout.NODE_LINK];
+            add(tile, mesh, triangles, from, from + (int) mesh.boxes[leaf + Layout.NODE_SPHERES]);
             leaf = ConeLanes.nextLeaf(tile, mesh);
         }
+    }
+
+    /**
+     * Adds those of some triangles that any cone meets.
+     *
+     * @param triangles place of triangle number 0
+     */
+    private void add(Tile tile, PacketCones cones, int triangles, int from, int end) {
+        for (int triangle = from; triangle < end && count <= MOST; triangle++) {
+            if (ConeLanes.meetTriangle(tile, cones, triangles + Layout.TRIANGLE_STRIDE * triangle)) {
+                this.triangles[count] = triangle;
+                count++;
+            }
+        }
+    }
+
+    /** Ends the triangles of an instance. */
+    private void end(int before, int instance) {
         if (count > before) {
             instances[instanceCount] = instance;
             ends[instanceCount] = count;

@@ -59,11 +59,23 @@ final class InstanceLanes {
         largest.intoArray(to.rays, PacketWalk.REACH);
     }
 
+    /** Writes the reach of rays in the world for a small mesh: that of their origins and its own. */
+    static void reach(Tile tile, PacketWalk walk, float own) {
+        float[] r = walk.rays;
+        FloatVector x =
+                FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.ORIGIN).abs();
+        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.ORIGIN + Lanes.COUNT)
+                .abs();
+        FloatVector z = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.ORIGIN + 2 * Lanes.COUNT)
+                .abs();
+        Lanes.larger(Lanes.larger(x, y), z).add(own).intoArray(r, PacketWalk.REACH);
+    }
+
     /**
-     * Writes the dominant axis of each direction and the shear along it. Selects the first active ray for the traversal
-     * order. Returns one bit per axis that is dominant for any active ray.
+     * Writes the dominant axis of each direction, which axes that is for any active ray, and the shear along it.
+     * Selects the first active ray for the traversal order.
      */
-    static long shear(Tile tile, PacketWalk walk) {
+    static void shear(Tile tile, PacketWalk walk) {
         float[] r = walk.rays;
         FloatVector x = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DIRECTION);
         FloatVector y = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DIRECTION + Lanes.COUNT);
@@ -91,9 +103,8 @@ final class InstanceLanes {
         walk.follow(Long.numberOfTrailingZeros(lanes));
         long onZ = alongZ.toLong();
         long onX = alongX.toLong() & ~onZ;
-        return ((lanes & onX) != 0L ? 1L : 0L)
-                | ((lanes & ~onX & ~onZ) != 0L ? 2L : 0L)
-                | ((lanes & onZ) != 0L ? 4L : 0L);
+        walk.axes =
+                ((lanes & onX) != 0L ? 1 : 0) | ((lanes & ~onX & ~onZ) != 0L ? 2 : 0) | ((lanes & onZ) != 0L ? 4 : 0);
     }
 
     /** Makes the rays that have crossed another body's surface meet those of this one in the same place. */

@@ -30,12 +30,24 @@ public final class MeshHits {
         if (first >= 0) {
             world.follow(first);
             BoxLanes.aim(tile, world);
+            InstanceLanes.shear(tile, world);
             int leaf = BoxLanes.nextLeaf(tile, world);
             while (leaf != Layout.NO_NODE) {
-                meet(drawing, tile, bench, at, (int) hierarchy[leaf + Layout.NODE_LINK]);
+                if (hierarchy[leaf + Layout.NODE_SPHERES] == 0f) {
+                    meetInstance(drawing, tile, bench, at, (int) hierarchy[leaf + Layout.NODE_LINK]);
+                } else {
+                    meetSmall(drawing, tile, bench, at, openSmall(tile, world, leaf));
+                }
                 leaf = BoxLanes.nextLeaf(tile, world);
             }
         }
+    }
+
+    /** Prepares the rays in the world for a leaf with a small mesh; returns the number of its instance. */
+    static int openSmall(Tile tile, PacketWalk world, int leaf) {
+        int small = world.openSmall(leaf);
+        InstanceLanes.reach(tile, world, world.boxes[small + Layout.SMALL_REACH]);
+        return (int) world.boxes[small + Layout.SMALL_INSTANCE];
     }
 
     /** Copies the packet's rays to a traversal; returns the first live lane, or a negative number if there is none. */
@@ -57,46 +69,64 @@ public final class MeshHits {
         return lanes == 0L ? -1 : Long.numberOfTrailingZeros(lanes);
     }
 
-    private static void meet(Drawing drawing, Tile tile, MeshMemory bench, int at, int number) {
+    private static void meetSmall(Drawing drawing, Tile tile, MeshMemory bench, int at, int number) {
         Bodies bodies = drawing.input.bodies();
-        float[] hierarchy = bodies.floats();
+        int instance = Instance.at(number, bodies.instances(), bodies.floats());
+        int body = (int) bodies.floats()[instance + Layout.INSTANCE_BODY];
+        leave(drawing, tile, bench.world, at, body);
+        meet(drawing, tile, bench, bench.world, at, number, body);
+    }
+
+    private static void meetInstance(Drawing drawing, Tile tile, MeshMemory bench, int at, int number) {
         PacketWalk mesh = bench.mesh;
-        int instance = Instance.at(number, bodies.instances(), hierarchy);
-        int body = (int) hierarchy[instance + Layout.INSTANCE_BODY];
-        int axes = enter(bodies, tile, bench, instance);
-        InstanceLanes.ignore(tile, mesh, at, Tile.LEAVING, Tile.LEAVING_TRIANGLE, body);
-        if (drawing.looks.transparent) {
-            InstanceLanes.touch(tile, mesh, at, body);
-        }
-        int triangles = Instance.triangles(hierarchy, instance);
+        Bodies bodies = drawing.input.bodies();
+        int instance = Instance.at(number, bodies.instances(), bodies.floats());
+        int body = (int) bodies.floats()[instance + Layout.INSTANCE_BODY];
+        enter(bodies, tile, bench, instance);
+        leave(drawing, tile, mesh, at, body);
         int leaf = BoxLanes.nextLeaf(tile, mesh);
         while (leaf != Layout.NO_NODE) {
-            int from = (int) mesh.boxes[leaf + Layout.NODE_LINK];
-            int end = from + (int) mesh.boxes[leaf + Layout.NODE_SPHERES];
-            for (int rest = axes; rest != 0; rest &= rest - 1) {
-                int axis = Integer.numberOfTrailingZeros(rest);
-                int triangle = TriangleLanes.next(tile, mesh, triangles, from, end, axis);
-                while (triangle < end) {
-                    long close = TriangleLanes.keepNearest(tile, mesh, at, axis, triangles, triangle, number, body);
-                    if (close != 0L) {
-                        CoincidentHits.decide(drawing, tile, bench, at, close, triangle, number);
-                    }
-                    triangle = TriangleLanes.next(tile, mesh, triangles, triangle + 1, end, axis);
-                }
-            }
+            mesh.open(leaf);
+            meet(drawing, tile, bench, mesh, at, number, body);
             leaf = BoxLanes.nextLeaf(tile, mesh);
         }
         System.arraycopy(mesh.rays, PacketWalk.END, bench.world.rays, PacketWalk.END, Lanes.COUNT);
     }
 
-    /** Starts the traversal of an instance's triangles; returns one bit per axis that is dominant for any ray. */
-    static int enter(Bodies bodies, Tile tile, MeshMemory bench, int instance) {
+    /** Writes what the rays ignore of a body, and what they touch. */
+    private static void leave(Drawing drawing, Tile tile, PacketWalk walk, int at, int body) {
+        InstanceLanes.ignore(tile, walk, at, Tile.LEAVING, Tile.LEAVING_TRIANGLE, body);
+        if (drawing.looks.transparent) {
+            InstanceLanes.touch(tile, walk, at, body);
+        }
+    }
+
+    /** Tests the triangles of a walk's leaf, which are those of an instance. */
+    private static void meet(
+            Drawing drawing, Tile tile, MeshMemory bench, PacketWalk walk, int at, int number, int body) {
+        int end = walk.end;
+        for (int rest = walk.axes; rest != 0; rest &= rest - 1) {
+            int axis = Integer.numberOfTrailingZeros(rest);
+            int triangle = TriangleLanes.next(tile, walk, walk.triangles, walk.from, end, axis);
+            while (triangle < end) {
+                long close = TriangleLanes.keepNearest(tile, walk, at, axis, walk.triangles, triangle, number, body);
+                if (close != 0L) {
+                    CoincidentHits.decide(drawing, tile, bench, walk, at, close, triangle, number);
+                }
+                triangle = TriangleLanes.next(tile, walk, walk.triangles, triangle + 1, end, axis);
+            }
+        }
+    }
+
+    /** Starts the traversal of an instance's triangles. */
+    static void enter(Bodies bodies, Tile tile, MeshMemory bench, int instance) {
         float[] hierarchy = bodies.floats();
         PacketWalk mesh = bench.mesh;
         mesh.start(bodies.meshes(), Instance.nodes(hierarchy, instance));
         InstanceLanes.transform(tile, bench.world, mesh, hierarchy, instance + Layout.INSTANCE_TO_MESH);
+        mesh.triangles = Instance.triangles(hierarchy, instance);
         BoxLanes.aim(tile, mesh);
-        return (int) InstanceLanes.shear(tile, mesh);
+        InstanceLanes.shear(tile, mesh);
     }
 
     /** Decides lane by lane between hits that may be in one place: {@link Coincidence}. */
@@ -109,12 +139,20 @@ public final class MeshHits {
          * @param close one bit per ray, with its distance to the triangle in {@link PacketWalk#MET}
          * @param number the triangle's instance
          */
-        static void decide(Drawing drawing, Tile tile, MeshMemory bench, int at, long close, int triangle, int number) {
+        static void decide(
+                Drawing drawing,
+                Tile tile,
+                MeshMemory bench,
+                PacketWalk walk,
+                int at,
+                long close,
+                int triangle,
+                int number) {
             Bodies bodies = drawing.input.bodies();
             float[] frame = drawing.input.view().frame();
             float[] hierarchy = bodies.floats();
             float[] t = tile.values;
-            float[] r = bench.mesh.rays;
+            float[] r = walk.rays;
             float[] path = bench.path;
             int instance = Instance.at(number, bodies.instances(), hierarchy);
             for (long rest = close; rest != 0L; rest &= rest - 1) {

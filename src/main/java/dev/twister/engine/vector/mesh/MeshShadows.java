@@ -148,40 +148,53 @@ public final class MeshShadows {
         PacketWalk world = bench.world;
         world.start(hierarchy, bodies.instances() + 1);
         BoxLanes.aim(tile, world);
+        InstanceLanes.shear(tile, world);
         int leaf = BoxLanes.nextLeaf(tile, world);
         while (leaf != Layout.NO_NODE) {
-            int instance = Instance.at((int) hierarchy[leaf + Layout.NODE_LINK], bodies.instances(), hierarchy);
-            int body = (int) hierarchy[instance + Layout.INSTANCE_BODY];
-            long met = meet(bodies, tile, bench, at, instance, body);
-            if (met != 0L && drawing.looks.transmits(body)) {
-                ShadowLines.pass(tile, bench, met, drawing.looks.transmission(body));
+            if (hierarchy[leaf + Layout.NODE_SPHERES] == 0f) {
+                int instance = Instance.at((int) hierarchy[leaf + Layout.NODE_LINK], bodies.instances(), hierarchy);
+                int body = (int) hierarchy[instance + Layout.INSTANCE_BODY];
+                long met = meetInstance(bodies, tile, bench, at, instance, body);
+                if (met != 0L && drawing.looks.transmits(body)) {
+                    ShadowLines.pass(tile, bench, met, drawing.looks.transmission(body));
+                }
+            } else {
+                int instance = Instance.at(MeshHits.openSmall(tile, world, leaf), bodies.instances(), hierarchy);
+                InstanceLanes.ignore(
+                        tile, world, at, Tile.HIT, Tile.TRIANGLE, (int) hierarchy[instance + Layout.INSTANCE_BODY]);
+                block(tile, world);
             }
             leaf = BoxLanes.nextLeaf(tile, world);
         }
     }
 
-    private static long meet(Bodies bodies, Tile tile, MeshMemory bench, int at, int instance, int body) {
-        float[] hierarchy = bodies.floats();
+    private static long meetInstance(Bodies bodies, Tile tile, MeshMemory bench, int at, int instance, int body) {
         PacketWalk mesh = bench.mesh;
-        int axes = MeshHits.enter(bodies, tile, bench, instance);
+        MeshHits.enter(bodies, tile, bench, instance);
         InstanceLanes.ignore(tile, mesh, at, Tile.HIT, Tile.TRIANGLE, body);
-        int triangles = Instance.triangles(hierarchy, instance);
         long met = 0L;
         int leaf = BoxLanes.nextLeaf(tile, mesh);
         while (leaf != Layout.NO_NODE) {
-            int from = (int) mesh.boxes[leaf + Layout.NODE_LINK];
-            int end = from + (int) mesh.boxes[leaf + Layout.NODE_SPHERES];
-            for (int rest = axes; rest != 0; rest &= rest - 1) {
-                int axis = Integer.numberOfTrailingZeros(rest);
-                int triangle = TriangleLanes.next(tile, mesh, triangles, from, end, axis);
-                while (triangle < end) {
-                    met |= TriangleLanes.block(tile, mesh, axis, triangles, triangle);
-                    triangle = TriangleLanes.next(tile, mesh, triangles, triangle + 1, end, axis);
-                }
-            }
+            mesh.open(leaf);
+            met |= block(tile, mesh);
             leaf = BoxLanes.nextLeaf(tile, mesh);
         }
         System.arraycopy(mesh.rays, PacketWalk.END, bench.world.rays, PacketWalk.END, Lanes.COUNT);
+        return met;
+    }
+
+    /** Ends the lines that triangles of a walk's leaf block; returns one bit per ended line. */
+    private static long block(Tile tile, PacketWalk walk) {
+        int end = walk.end;
+        long met = 0L;
+        for (int rest = walk.axes; rest != 0; rest &= rest - 1) {
+            int axis = Integer.numberOfTrailingZeros(rest);
+            int triangle = TriangleLanes.next(tile, walk, walk.triangles, walk.from, end, axis);
+            while (triangle < end) {
+                met |= TriangleLanes.block(tile, walk, axis, walk.triangles, triangle);
+                triangle = TriangleLanes.next(tile, walk, walk.triangles, triangle + 1, end, axis);
+            }
+        }
         return met;
     }
 }

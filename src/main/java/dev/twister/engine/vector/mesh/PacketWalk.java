@@ -77,6 +77,15 @@ final class PacketWalk {
     /** The root until it has been visited, then {@link Layout#NO_NODE}. */
     int start;
 
+    /** One bit per axis that is dominant for any ray. */
+    int axes;
+
+    /** The current leaf's triangles: number of the first one, number after the last one, and place of number 0. */
+    int from;
+
+    int end;
+    int triangles;
+
     /** The direction of one ray, which decides which of two children is visited first. */
     float towardsX;
 
@@ -89,6 +98,21 @@ final class PacketWalk {
         nodes = newNodes;
         start = newNodes;
         waiting = 0;
+    }
+
+    /** Opens a leaf of a mesh. */
+    void open(int leaf) {
+        from = (int) boxes[leaf + Layout.NODE_LINK];
+        end = from + (int) boxes[leaf + Layout.NODE_SPHERES];
+    }
+
+    /** Opens a leaf with a small mesh, see {@link Layout#SMALL_INSTANCE}; returns the mesh's place. */
+    int openSmall(int leaf) {
+        int small = nodes + (int) boxes[leaf + Layout.NODE_LINK];
+        from = 0;
+        end = (int) boxes[leaf + Layout.NODE_SPHERES];
+        triangles = small + Layout.SMALL_TRIANGLES;
+        return small;
     }
 
     /** Uses the ray of a lane for the order of the traversal. */
