@@ -34,7 +34,7 @@ public final class GuidedFilter implements Denoiser {
     private static final int MAJORITY = 5;
 
     /** Samples from which the filtered picture fades out. */
-    private static final float FADING_SAMPLES = 32;
+    private static final float FADING_SAMPLES = 24;
 
     private static final float TINY = 1e-12f;
 
