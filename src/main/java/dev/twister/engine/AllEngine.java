@@ -113,10 +113,12 @@ final class AllEngine implements Engine {
 
     private static void await(CompletableFuture<Void> all, FrameStop stop) {
         boolean interrupted = false;
+        boolean ended = false;
         try {
-            while (!all.isDone()) {
+            while (!ended) {
                 try {
                     all.get();
+                    ended = true;
                 } catch (InterruptedException _) {
                     interrupted = true;
                     stop.ask();
