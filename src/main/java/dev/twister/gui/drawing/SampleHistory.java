@@ -88,8 +88,7 @@ final class SampleHistory {
         radiance = copy(picture.radiance());
         albedo = copy(guides.albedo());
         normal = copy(guides.normal());
-        // What is seen for the first time may be noise alone.
-        difference = picture.noise().map(noise -> copy(noise.difference())).orElseGet(radiance::clone);
+        difference = picture.noise().map(noise -> copy(noise.difference())).orElseGet(this::differencesOfNeighbors);
         samples = new float[view.distances().length];
         Arrays.fill(samples, newSamples);
         nextSample = newSamples + earlier.map(SampleHistory::nextSample).orElse(0);
@@ -98,6 +97,16 @@ final class SampleHistory {
 
     private float[] copy(Plane plane) {
         return Arrays.copyOfRange(plane.values(), plane.first(), plane.first() + CHANNELS * view.distances().length);
+    }
+
+    /** As if the light of pixels side by side were the same. */
+    private float[] differencesOfNeighbors() {
+        float[] differences = new float[radiance.length];
+        float scale = (float) Math.sqrt(0.5);
+        for (int i = CHANNELS; i < radiance.length; i++) {
+            differences[i] = scale * (radiance[i] - radiance[i - CHANNELS]);
+        }
+        return differences;
     }
 
     float[] images() {
