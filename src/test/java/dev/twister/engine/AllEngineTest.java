@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentSkipListSet;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -110,7 +111,8 @@ class AllEngineTest {
         assertThat(closed).isTrue();
     }
 
-    @Test
+    /** Repeated, because engines may fail before the frame waits for them, or after. */
+    @RepeatedTest(50)
     void theFailureOfAnEngineIsTheFrames() {
         // Another engine might take all bands before this one begins.
         Engine broken = new Broken("broken", "a test");
