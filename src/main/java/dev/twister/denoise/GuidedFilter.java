@@ -156,10 +156,6 @@ public final class GuidedFilter implements Denoiser {
             }
         }
 
-        private static float tint(float albedo) {
-            return albedo < LEAST_ALBEDO ? 1 : albedo;
-        }
-
         /** With single pixels that are brighter than all around them made as bright as the brightest of those. */
         private AlikeMeans.Light withoutSpeckles() {
             AlikeMeans.Light clean = AlikeMeans.Light.black(layout);
@@ -263,6 +259,11 @@ public final class GuidedFilter implements Denoiser {
                 }
             });
         }
+    }
+
+    /** What light is divided by for an albedo, so that it is light without the color of the surface. */
+    public static float tint(float albedo) {
+        return albedo < LEAST_ALBEDO ? 1 : albedo;
     }
 
     static float luminance(float[][] colors, int pixel) {

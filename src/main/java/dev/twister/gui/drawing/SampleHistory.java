@@ -1,5 +1,6 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.denoise.GuidedFilter;
 import dev.twister.denoise.NoisyPicture;
 import dev.twister.denoise.Plane;
 import dev.twister.gui.picking.Projection;
@@ -21,8 +22,6 @@ final class SampleHistory {
 
     /** Of earlier pictures: with more, mirrors and glass would show for long what they no longer show. */
     private static final float MOST_SAMPLES = 16;
-
-    private static final float LEAST_ALBEDO = 0.02f;
 
     /** Difference of the distances to a point, relative to the distance, from which on it is another point. */
     private static final double OTHER_DISTANCE = 0.05;
@@ -151,15 +150,11 @@ final class SampleHistory {
             int at = CHANNELS * pixel + channel;
             albedo[at] += share * (found.albedo[channel] - albedo[at]);
             normal[at] += share * (found.normal[channel] - normal[at]);
-            float earlier = found.light[channel] * tint(albedo[at]);
+            float earlier = found.light[channel] * GuidedFilter.tint(albedo[at]);
             difference[at] = spread * (radiance[at] - earlier);
             radiance[at] += share * (earlier - radiance[at]);
         }
         samples[pixel] = old + newSamples;
-    }
-
-    private static float tint(float albedo) {
-        return albedo < LEAST_ALBEDO ? 1 : albedo;
     }
 
     /** What was seen around a place. */
@@ -232,7 +227,7 @@ final class SampleHistory {
     private void add(int pixel, float weight, Found found) {
         for (int channel = 0; channel < CHANNELS; channel++) {
             int at = CHANNELS * pixel + channel;
-            found.light[channel] += weight * radiance[at] / tint(albedo[at]);
+            found.light[channel] += weight * radiance[at] / GuidedFilter.tint(albedo[at]);
             found.albedo[channel] += weight * albedo[at];
             found.normal[channel] += weight * normal[at];
         }
