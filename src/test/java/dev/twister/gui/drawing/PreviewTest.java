@@ -33,11 +33,7 @@ class PreviewTest {
 
     @Test
     void withoutItsNoiseItIsNearerToManySamples() {
-        World world = Crowds.world(60, 48, 32);
-        world.setSettings(world.settings()
-                .withIntegrator(Integrator.PATH)
-                .withSize(48, 32)
-                .withSamplesPerPixel(1));
+        World world = tracedCrowd();
         FrameInput input = world.snapshot();
         try (Engine engine = JvmEngines.parallel().opener().get()) {
             Frame wanted = Frame.ofPixels(48, 32);
@@ -58,11 +54,7 @@ class PreviewTest {
 
     @Test
     void aMovedCameraUsesTheSamplesOfBefore() {
-        World world = Crowds.world(60, 48, 32);
-        world.setSettings(world.settings()
-                .withIntegrator(Integrator.PATH)
-                .withSize(48, 32)
-                .withSamplesPerPixel(1));
+        World world = tracedCrowd();
         try (Engine engine = JvmEngines.parallel().opener().get()) {
             Frame frame = Frame.ofPixels(48, 32);
             Preview before = Preview.gathering(world.snapshot(), false, true, Optional.empty(), () -> 0);
@@ -95,6 +87,15 @@ class PreviewTest {
         assertThat(request(scene.withSpheres(List.of())).looksFromElsewhereThan(request))
                 .isFalse();
         assertThat(request.looksFromElsewhereThan(request)).isFalse();
+    }
+
+    private static World tracedCrowd() {
+        World world = Crowds.world(60, 48, 32);
+        world.setSettings(world.settings()
+                .withIntegrator(Integrator.PATH)
+                .withSize(48, 32)
+                .withSamplesPerPixel(1));
+        return world;
     }
 
     private static DrawingRequest request(Scene scene) {
