@@ -187,25 +187,30 @@ public final class Benchmark {
 
     /**
      * Warms up an engine before its first measured frame. Full-size frames alone are too few for the JIT compiler on a
-     * slow machine.
+     * slow machine, and for the code around a kernel that takes less than a millisecond.
      *
-     * @param maxSeconds limit per input; at least one frame is rendered
+     * @param maxSeconds limit per input for small frames; at least one is rendered
      */
     record EngineWarmUp(double maxSeconds, BenchmarkProgress progress) {
         private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
 
         /**
-         * Renders small frames of each input until their times settle. Skipped for devices, which compile no faster
-         * code later; they try work-groups in their first 6 frames, of the size that is measured.
+         * Renders small frames of each input until their times settle. A device renders its first frames, in which it
+         * compiles and tries work-groups, in the size that is measured.
          */
         void run(AskedEngine asked, PictureSize size, List<FrameInput> inputs) {
-            if (!asked.isDevice()) {
-                progress.begins(asked.id() + ", warming up,", size, 1);
-                Duration each = Duration.ofNanos((long) (maxSeconds * NANOS_PER_SECOND));
-                inputs.forEach(input ->
-                        new SettlingFrames(asked.engine(), SettlingFrames.small(input)).settle(each, () -> false));
-                progress.drewFrame();
+            progress.begins(asked.id() + ", warming up,", size, 1);
+            Duration each = Duration.ofNanos((long) (maxSeconds * NANOS_PER_SECOND));
+            for (FrameInput input : inputs) {
+                if (asked.isDevice()) {
+                    Frame whole = Frame.ofPixels(input.width(), input.rows());
+                    for (int frame = 0; frame < AskedEngine.FIRST_OF_A_DEVICE; frame++) {
+                        asked.engine().render(input, whole);
+                    }
+                }
+                new SettlingFrames(asked.engine(), SettlingFrames.small(input)).settle(each, () -> false);
             }
+            progress.drewFrame();
         }
     }
 
@@ -216,6 +221,9 @@ public final class Benchmark {
      * @param id the name in the report
      */
     record AskedEngine(String id, Engine engine) {
+        /** In which the TornadoVM engine tries work-groups: {@code WorkGroups}. */
+        private static final int FIRST_OF_A_DEVICE = 6;
+
         /** The engine's device, preceded by the engine's own id if that differs. */
         String device() {
             return (engine.id().equals(id) ? "" : engine.id() + ": ") + engine.device();
@@ -231,9 +239,6 @@ public final class Benchmark {
     private record EngineMeasuring(AskedEngine asked, BenchmarkPlan plan, BenchmarkProgress progress) {
         private static final double NANOS_PER_MILLI = 1e6;
         private static final double NANOS_PER_SECOND = 1e9;
-
-        /** In which the TornadoVM engine tries work-groups: {@code WorkGroups}. */
-        private static final int FIRST_OF_A_DEVICE = 6;
 
         /**
          * Renders the bodies at rest, then in motion if they move: the same frames for every engine, regardless of the
@@ -279,7 +284,7 @@ public final class Benchmark {
         }
 
         private int fewestWarmups() {
-            return asked.isDevice() ? FIRST_OF_A_DEVICE : 1;
+            return asked.isDevice() ? AskedEngine.FIRST_OF_A_DEVICE : 1;
         }
 
         private static boolean isWithin(long start, double seconds) {

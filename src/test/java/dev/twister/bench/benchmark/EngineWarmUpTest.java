@@ -40,10 +40,11 @@ class EngineWarmUpTest {
     }
 
     @Test
-    void devicesDrawNone() {
-        warmUp("tornado:0:0", 1000, List.of(WIDE));
+    void devicesTryWorkGroupsInTheMeasuredSizeFirst() {
+        warmUp("tornado:0:0", 0, List.of(WIDE));
 
-        assertThat(drawn).isEmpty();
+        assertThat(drawn.subList(0, 6)).containsOnly(new PictureSize(1280, 720));
+        assertThat(drawn.subList(6, drawn.size())).containsExactly(new PictureSize(320, 180));
     }
 
     private void warmUp(String id, double seconds, List<FrameInput> inputs) {
