@@ -57,7 +57,7 @@ public final class InstanceTable {
             length += leaves.get(i).floats().length;
         }
         int[] order = new int[leaves.size()];
-        float[] nodes = BoxTree.nodes(new BoxTree.Boxes(boxes, order, 1, instance -> instance));
+        float[] nodes = BoxTree.nodes(boxes, order, 1, instance -> instance);
         int before = (nodes.length + length + Layout.NODE_STRIDE - 1) / Layout.NODE_STRIDE;
         int instances = 1 + Layout.NODE_STRIDE * before;
         float[] floats = new float[instances + Layout.INSTANCE_STRIDE * order.length];
