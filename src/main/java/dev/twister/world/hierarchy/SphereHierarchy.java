@@ -25,6 +25,12 @@ public final class SphereHierarchy {
     /** Of the box around all, for the rounding of its own sides. */
     private static final float GROWTH = 1 + 0x1p-20f;
 
+    /**
+     * Tells by its identity whether two inputs have the same hierarchy over the spheres, though other numbers of the
+     * array that has it differ. No part of the picture: all are equal.
+     */
+    public record Identity() {}
+
     private SphereHierarchy() {}
 
     /**
