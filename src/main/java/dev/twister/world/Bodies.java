@@ -3,7 +3,6 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Variant;
 import dev.twister.scene.Vector3;
-import dev.twister.world.hierarchy.HierarchyIdentity;
 import dev.twister.world.hierarchy.SphereHierarchy;
 
 /**
@@ -35,7 +34,7 @@ public record Bodies(
         int firstMesh,
         int materials,
         Vector3 origin,
-        HierarchyIdentity hierarchy) {
+        SphereHierarchy.Identity hierarchy) {
     /** One coordinate of a body's center, in meters: axis 0 for x, 1 for y, 2 for z. */
     public float center(int body, int axis) {
         return floats[Layout.PLACE_STRIDE * body + axis];
@@ -88,7 +87,7 @@ public record Bodies(
     }
 
     /** Whether the other ones have the same hierarchy over the spheres, in the same place. */
-    @SuppressWarnings("ReferenceEquality") // see HierarchyIdentity
+    @SuppressWarnings("ReferenceEquality") // see SphereHierarchy.Identity
     public boolean hasHierarchyOf(Bodies other) {
         return hierarchy == other.hierarchy;
     }
@@ -104,6 +103,15 @@ public record Bodies(
 
     Bodies withFloats(float[] newFloats) {
         return new Bodies(
-                newFloats, looks, meshes, room, sphereEnd, end, firstMesh, materials, origin, new HierarchyIdentity());
+                newFloats,
+                looks,
+                meshes,
+                room,
+                sphereEnd,
+                end,
+                firstMesh,
+                materials,
+                origin,
+                new SphereHierarchy.Identity());
     }
 }

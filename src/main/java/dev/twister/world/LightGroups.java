@@ -11,8 +11,8 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.light.LightGroup;
 import dev.twister.scene.material.Emission;
 import dev.twister.world.table.BodyOrder;
-import dev.twister.world.table.GroupNumbers;
 import dev.twister.world.table.MeshBody;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -32,7 +32,7 @@ public record LightGroups(List<String> names, float[] layers) {
     public static LightGroups of(Scene scene, List<MeshBody> meshes) {
         List<Sphere> spheres = scene.allSpheres();
         BodyOrder bodies = BodyOrder.of(scene);
-        GroupNumbers numbers = new GroupNumbers(1 + bodies.firstMesh() + meshes.size());
+        Numbers numbers = new Numbers(1 + bodies.firstMesh() + meshes.size());
         if (scene.sky().strength() > 0) {
             numbers.put(Layout.NOTHING, LightGroup.SKY);
         }
@@ -55,7 +55,7 @@ public record LightGroups(List<String> names, float[] layers) {
         return named(light.group(), LightGroup.LIGHTS);
     }
 
-    private static void putEmitter(GroupNumbers numbers, int body, Material material) {
+    private static void putEmitter(Numbers numbers, int body, Material material) {
         Emission emission = material.emission();
         if (!emission.isNone() || material.unlit()) {
             numbers.put(body, named(emission.group(), LightGroup.EMITTERS));
@@ -68,5 +68,32 @@ public record LightGroups(List<String> names, float[] layers) {
                     + LightGroup.RESERVED.get(group) + "; give the group another name");
         }
         return group.equals(LightGroup.NONE) ? usual : group;
+    }
+
+    /** Numbers groups of lights in the order in which they are first named. */
+    private static final class Numbers {
+        private final List<String> names = new ArrayList<>();
+        private final float[] layers;
+
+        /** @param length number of bodies, and one for the sky */
+        Numbers(int length) {
+            layers = new float[length];
+        }
+
+        /** Puts a body, or the sky as {@link Layout#NOTHING}, in a group. */
+        void put(int body, String name) {
+            if (!names.contains(name)) {
+                names.add(name);
+            }
+            layers[1 + body] = names.indexOf(name);
+        }
+
+        LightGroups groups() {
+            if (names.size() > Layout.MOST_LIGHT_LAYERS) {
+                throw new IllegalArgumentException(
+                        names.size() + " groups of lights; there are at most " + Layout.MOST_LIGHT_LAYERS);
+            }
+            return new LightGroups(List.copyOf(names), layers);
+        }
     }
 }

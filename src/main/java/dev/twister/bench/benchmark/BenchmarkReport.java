@@ -1,11 +1,14 @@
 package dev.twister.bench.benchmark;
 
+import dev.twister.bench.ReportNumbers;
 import dev.twister.image.Frame;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -61,6 +64,31 @@ public record BenchmarkReport(
     /** An engine's frames per second at a setting; empty if it was not measured. */
     public Optional<Double> fps(String engine, Setting setting) {
         return find(engine, setting).map(measurement -> measurement.times().fps());
+    }
+
+    /** The measurement of the fastest engine at a setting; empty if none was measured there. */
+    public Optional<Measurement> fastest(Setting setting) {
+        return engines().stream()
+                .flatMap(engine -> find(engine, setting).stream())
+                .max(Comparator.comparingDouble(
+                        measurement -> measurement.times().fps()));
+    }
+
+    /** Such as "The fastest engine of 15 settings: vector at 14, parallel at 1."; empty where nothing was measured. */
+    public String fastestEngines() {
+        Map<String, Long> wins = plan.settings().stream()
+                .flatMap(setting -> fastest(setting).stream())
+                .map(Measurement::engine)
+                .collect(Collectors.groupingBy(engine -> engine, LinkedHashMap::new, Collectors.counting()));
+        long settings = wins.values().stream().mapToLong(count -> count).sum();
+        if (settings == 0) {
+            return "";
+        }
+        String counts = wins.entrySet().stream()
+                .sorted(Map.Entry.<String, Long>comparingByValue().reversed())
+                .map(win -> win.getKey() + " at " + win.getValue())
+                .collect(Collectors.joining(", "));
+        return "The fastest engine of " + ReportNumbers.counted((int) settings, "setting") + ": " + counts + ".";
     }
 
     /**

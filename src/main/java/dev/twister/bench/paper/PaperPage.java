@@ -3,7 +3,6 @@ package dev.twister.bench.paper;
 import dev.twister.bench.PublishedFigures;
 import dev.twister.bench.ReportNumbers;
 import dev.twister.bench.benchmark.BenchmarkReport;
-import dev.twister.bench.benchmark.FastestEngines;
 import dev.twister.bench.benchmark.PaperFigure;
 import dev.twister.bench.benchmark.Setting;
 import dev.twister.bench.figures.RenderedFigure;
@@ -74,7 +73,7 @@ final class PaperPage {
                 + report.machine().cores() + " cores.";
         return String.join(
                 " ",
-                Stream.of(repeated, FastestEngines.sentence(report), first())
+                Stream.of(repeated, report.fastestEngines(), first())
                         .filter(text -> !text.isEmpty())
                         .toList());
     }
@@ -82,7 +81,7 @@ final class PaperPage {
     /** The fastest engine at the paper's first setting, beside the paper. */
     private String first() {
         Setting first = report.plan().settings(PaperFigure.SIZES).getFirst();
-        return FastestEngines.at(report, first)
+        return report.fastest(first)
                 .map(fastest -> "At " + first.size().name() + " with hard shadows and one bounce, " + fastest.engine()
                         + " renders " + PlotLook.number(fastest.times().fps()) + " frames per second"
                         + PublishedFigures.fps(first.size())

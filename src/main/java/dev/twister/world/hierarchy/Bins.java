@@ -3,9 +3,7 @@ package dev.twister.world.hierarchy;
 import dev.twister.kernel.Layout;
 import java.util.Arrays;
 
-/**
- * Equal bins along one axis over the centers of spheres, with the number of spheres and the bounding box of each bin.
- */
+/** Equal bins along one axis over the centers of items, with the number of spheres or boxes and the box of each bin. */
 final class Bins {
     private static final int MOST = 16;
 
@@ -19,40 +17,44 @@ final class Bins {
 
     private final int[] counts = new int[MOST];
 
-    /** Minimum x, y, z and maximum x, y, z of each bin. */
-    private final float[] boxes = new float[6 * MOST];
+    /** Minimum x, y, z of each bin. */
+    private final float[] low = new float[3 * MOST];
 
-    /** Cost of the spheres in the bins from each index on. */
+    /** Maximum x, y, z of each bin. */
+    private final float[] high = new float[3 * MOST];
+
+    /** Cost of the items in the bins up to each. */
+    private final float[] costsBelow = new float[MOST];
+
+    /** Cost of the items in the bins from each on. */
     private final float[] costsAbove = new float[MOST];
 
     private int count;
     private float start;
     private float scale;
 
-    /** Number of spheres before the border; a result of {@link #findBorder}. */
+    /** Number of items before the border; a result of {@link #findBorder}. */
     int before;
 
     /**
      * Clears the bins.
      *
      * @param items number of items to sort
-     * @param low smallest coordinate of a center
-     * @param high largest coordinate of a center, greater than {@code low}
+     * @param first smallest coordinate of a center
+     * @param last largest coordinate of a center
+     * @return false if the centers are too close to each other
      */
-    void start(int items, float low, float high) {
-        count = items < FEW_ITEMS ? MOST / 2 : MOST;
-        start = low;
-        scale = count * INSIDE / (high - low);
-        Arrays.fill(counts, 0, count, 0);
-        for (int bin = 0; bin < count; bin++) {
-            int box = 6 * bin;
-            boxes[box] = NOWHERE;
-            boxes[box + 1] = NOWHERE;
-            boxes[box + 2] = NOWHERE;
-            boxes[box + 3] = -NOWHERE;
-            boxes[box + 4] = -NOWHERE;
-            boxes[box + 5] = -NOWHERE;
+    boolean start(int items, float first, float last) {
+        if (!Bounds.areApart(first, last)) {
+            return false;
         }
+        count = items < FEW_ITEMS ? MOST / 2 : MOST;
+        start = first;
+        scale = count * INSIDE / (last - first);
+        Arrays.fill(counts, 0, count, 0);
+        Arrays.fill(low, 0, 3 * count, NOWHERE);
+        Arrays.fill(high, 0, 3 * count, -NOWHERE);
+        return true;
     }
 
     /**
@@ -65,23 +67,23 @@ final class Bins {
             int bin = bin(hierarchy[at + along]);
             counts[bin]++;
             float radius = hierarchy[at + Layout.SPHERE_RADIUS];
-            widen(6 * bin, hierarchy[at] - radius, hierarchy[at] + radius);
-            widen(6 * bin + 1, hierarchy[at + 1] - radius, hierarchy[at + 1] + radius);
-            widen(6 * bin + 2, hierarchy[at + 2] - radius, hierarchy[at + 2] + radius);
+            widen(3 * bin, hierarchy[at] - radius, hierarchy[at] + radius);
+            widen(3 * bin + 1, hierarchy[at + 1] - radius, hierarchy[at + 1] + radius);
+            widen(3 * bin + 2, hierarchy[at + 2] - radius, hierarchy[at + 2] + radius);
         }
     }
 
     /** Adds spheres to a bin by their number and bounding box: minimum x, y, z and maximum x, y, z. */
     void add(int bin, int spheres, float[] sides, int at) {
         counts[bin] += spheres;
-        widen(6 * bin, sides[at], sides[at + 3]);
-        widen(6 * bin + 1, sides[at + 1], sides[at + 4]);
-        widen(6 * bin + 2, sides[at + 2], sides[at + 5]);
+        widen(3 * bin, sides[at], sides[at + 3]);
+        widen(3 * bin + 1, sides[at + 1], sides[at + 4]);
+        widen(3 * bin + 2, sides[at + 2], sides[at + 5]);
     }
 
-    private void widen(int at, float low, float high) {
-        boxes[at] = Math.min(boxes[at], low);
-        boxes[at + 3] = Math.max(boxes[at + 3], high);
+    private void widen(int at, float least, float most) {
+        low[at] = Math.min(low[at], least);
+        high[at] = Math.max(high[at], most);
     }
 
     /** The bin of a coordinate. */
@@ -89,78 +91,52 @@ final class Bins {
         return (int) ((coordinate - start) * scale);
     }
 
-    /** The bin at which a split costs least: the sum over both sides of surface area times number of spheres. */
+    /** The bin at which a split costs least: the sum over both sides of surface area times number of items. */
     int findBorder() {
+        sum(count - 1, -1, costsAbove);
+        int all = sum(0, 1, costsBelow);
+        float least = Float.POSITIVE_INFINITY;
+        int best = 1;
+        before = counts[0];
+        int items = 0;
+        for (int bin = 0; bin < count - 1; bin++) {
+            items += counts[bin];
+            float cost = costsBelow[bin] + costsAbove[bin + 1];
+            if (cost < least && items < all) {
+                least = cost;
+                best = bin + 1;
+                before = items;
+            }
+        }
+        return best;
+    }
+
+    /** Writes the costs of the items in the bins from one end to each; returns the number of all. */
+    private int sum(int first, int step, float[] costs) {
         float lowX = NOWHERE;
         float lowY = NOWHERE;
         float lowZ = NOWHERE;
         float highX = -NOWHERE;
         float highY = -NOWHERE;
         float highZ = -NOWHERE;
-        int spheres = 0;
-        for (int bin = count - 1; bin > 0; bin--) {
-            int box = 6 * bin;
-            lowX = Math.min(lowX, boxes[box]);
-            lowY = Math.min(lowY, boxes[box + 1]);
-            lowZ = Math.min(lowZ, boxes[box + 2]);
-            highX = Math.max(highX, boxes[box + 3]);
-            highY = Math.max(highY, boxes[box + 4]);
-            highZ = Math.max(highZ, boxes[box + 5]);
-            spheres += counts[bin];
-            costsAbove[bin] = cost(highX - lowX, highY - lowY, highZ - lowZ, spheres);
+        int items = 0;
+        for (int i = 0; i < count; i++) {
+            int bin = first + step * i;
+            int box = 3 * bin;
+            lowX = Math.min(lowX, low[box]);
+            lowY = Math.min(lowY, low[box + 1]);
+            lowZ = Math.min(lowZ, low[box + 2]);
+            highX = Math.max(highX, high[box]);
+            highY = Math.max(highY, high[box + 1]);
+            highZ = Math.max(highZ, high[box + 2]);
+            items += counts[bin];
+            costs[bin] = cost(highX - lowX, highY - lowY, highZ - lowZ, items);
         }
-        int all = spheres + counts[0];
-        lowX = NOWHERE;
-        lowY = NOWHERE;
-        lowZ = NOWHERE;
-        highX = -NOWHERE;
-        highY = -NOWHERE;
-        highZ = -NOWHERE;
-        spheres = 0;
-        float least = Float.POSITIVE_INFINITY;
-        int best = 1;
-        for (int bin = 0; bin < count - 1; bin++) {
-            int box = 6 * bin;
-            lowX = Math.min(lowX, boxes[box]);
-            lowY = Math.min(lowY, boxes[box + 1]);
-            lowZ = Math.min(lowZ, boxes[box + 2]);
-            highX = Math.max(highX, boxes[box + 3]);
-            highY = Math.max(highY, boxes[box + 4]);
-            highZ = Math.max(highZ, boxes[box + 5]);
-            spheres += counts[bin];
-            float cost = cost(highX - lowX, highY - lowY, highZ - lowZ, spheres) + costsAbove[bin + 1];
-            if (cost < least && spheres < all) {
-                least = cost;
-                best = bin + 1;
-                before = spheres;
-            }
-        }
-        return best;
+        return items;
     }
 
     /** Relative cost; 0 for an empty side, whose box is inverted. */
-    private static float cost(float x, float y, float z, int spheres) {
-        return spheres == 0 ? 0 : spheres * (x * y + y * z + z * x);
-    }
-
-    /** Moves the spheres before the border to the front. */
-    void part(float[] hierarchy, int from, int to, int axis, int border) {
-        int head = from;
-        int tail = to - Layout.SPHERE_STRIDE;
-        while (head < tail) {
-            if (bin(hierarchy[head + axis]) < border) {
-                head += Layout.SPHERE_STRIDE;
-            } else if (bin(hierarchy[tail + axis]) >= border) {
-                tail -= Layout.SPHERE_STRIDE;
-            } else {
-                for (int i = 0; i < Layout.SPHERE_STRIDE; i++) {
-                    float swapped = hierarchy[head + i];
-                    hierarchy[head + i] = hierarchy[tail + i];
-                    hierarchy[tail + i] = swapped;
-                }
-                head += Layout.SPHERE_STRIDE;
-                tail -= Layout.SPHERE_STRIDE;
-            }
-        }
+    private static float cost(float x, float y, float z, int items) {
+        return items == 0 ? 0 : items * (x * y + y * z + z * x);
     }
 }

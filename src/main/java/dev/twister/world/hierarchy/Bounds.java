@@ -2,7 +2,7 @@ package dev.twister.world.hierarchy;
 
 import dev.twister.kernel.Layout;
 
-/** Bounding boxes of spheres and of their centers. */
+/** Bounding boxes of spheres or boxes and of their centers. */
 final class Bounds {
     private static final float NOWHERE = Float.MAX_VALUE;
 
@@ -13,101 +13,72 @@ final class Bounds {
 
     private static final float SIZE_MARGIN = 4.0e-6f;
 
-    float lowX;
-    float lowY;
-    float lowZ;
-    float highX;
-    float highY;
-    float highZ;
+    private final float[] low = new float[3];
+    private final float[] high = new float[3];
 
-    /** Box of the centers. */
-    float firstX;
+    /** Smallest coordinates of centers. */
+    private final float[] first = new float[3];
 
-    float firstY;
-    float firstZ;
-    float lastX;
-    float lastY;
-    float lastZ;
+    /** Largest coordinates of centers. */
+    private final float[] last = new float[3];
 
-    /** Computes the boxes of a range of spheres in the hierarchy. */
-    void hold(float[] hierarchy, int from, int to) {
-        float minX = NOWHERE;
-        float minY = NOWHERE;
-        float minZ = NOWHERE;
-        float maxX = -NOWHERE;
-        float maxY = -NOWHERE;
-        float maxZ = -NOWHERE;
-        float x0 = NOWHERE;
-        float y0 = NOWHERE;
-        float z0 = NOWHERE;
-        float x1 = -NOWHERE;
-        float y1 = -NOWHERE;
-        float z1 = -NOWHERE;
-        for (int at = from; at < to; at += Layout.SPHERE_STRIDE) {
-            float x = hierarchy[at];
-            float y = hierarchy[at + 1];
-            float z = hierarchy[at + 2];
-            float radius = hierarchy[at + Layout.SPHERE_RADIUS];
-            x0 = Math.min(x0, x);
-            y0 = Math.min(y0, y);
-            z0 = Math.min(z0, z);
-            x1 = Math.max(x1, x);
-            y1 = Math.max(y1, y);
-            z1 = Math.max(z1, z);
-            minX = Math.min(minX, x - radius);
-            minY = Math.min(minY, y - radius);
-            minZ = Math.min(minZ, z - radius);
-            maxX = Math.max(maxX, x + radius);
-            maxY = Math.max(maxY, y + radius);
-            maxZ = Math.max(maxZ, z + radius);
+    /** Computes the boxes of spheres, given the places of the first and behind the last. */
+    void holdSpheres(float[] floats, int from, int to) {
+        hold(floats, from, to, Layout.SPHERE_STRIDE, false);
+    }
+
+    /** Computes the boxes of boxes, given by minimum x, y, z and maximum x, y, z; their midpoints are the centers. */
+    void holdBoxes(float[] sides, int start, int end) {
+        hold(sides, 6 * start, 6 * end, 6, true);
+    }
+
+    private void hold(float[] floats, int from, int to, int stride, boolean boxes) {
+        float leastX = NOWHERE;
+        float mostX = -NOWHERE;
+        float startX = NOWHERE;
+        float endX = -NOWHERE;
+        float leastY = NOWHERE;
+        float mostY = -NOWHERE;
+        float startY = NOWHERE;
+        float endY = -NOWHERE;
+        float leastZ = NOWHERE;
+        float mostZ = -NOWHERE;
+        float startZ = NOWHERE;
+        float endZ = -NOWHERE;
+        for (int at = from; at < to; at += stride) {
+            float radius = floats[at + Layout.SPHERE_RADIUS];
+            float lowX = boxes ? floats[at] : floats[at] - radius;
+            float highX = boxes ? floats[at + 3] : floats[at] + radius;
+            float x = boxes ? 0.5f * (lowX + highX) : floats[at];
+            float lowY = boxes ? floats[at + 1] : floats[at + 1] - radius;
+            float highY = boxes ? floats[at + 4] : floats[at + 1] + radius;
+            float y = boxes ? 0.5f * (lowY + highY) : floats[at + 1];
+            float lowZ = boxes ? floats[at + 2] : floats[at + 2] - radius;
+            float highZ = boxes ? floats[at + 5] : floats[at + 2] + radius;
+            float z = boxes ? 0.5f * (lowZ + highZ) : floats[at + 2];
+            leastX = Math.min(leastX, lowX);
+            mostX = Math.max(mostX, highX);
+            startX = Math.min(startX, x);
+            endX = Math.max(endX, x);
+            leastY = Math.min(leastY, lowY);
+            mostY = Math.max(mostY, highY);
+            startY = Math.min(startY, y);
+            endY = Math.max(endY, y);
+            leastZ = Math.min(leastZ, lowZ);
+            mostZ = Math.max(mostZ, highZ);
+            startZ = Math.min(startZ, z);
+            endZ = Math.max(endZ, z);
         }
-        lowX = minX;
-        lowY = minY;
-        lowZ = minZ;
-        highX = maxX;
-        highY = maxY;
-        highZ = maxZ;
-        firstX = x0;
-        firstY = y0;
-        firstZ = z0;
-        lastX = x1;
-        lastY = y1;
-        lastZ = z1;
+        set(0, leastX, mostX, startX, endX);
+        set(1, leastY, mostY, startY, endY);
+        set(2, leastZ, mostZ, startZ, endZ);
     }
 
-    /** Resets to empty boxes. */
-    void clear() {
-        lowX = NOWHERE;
-        lowY = NOWHERE;
-        lowZ = NOWHERE;
-        highX = -NOWHERE;
-        highY = -NOWHERE;
-        highZ = -NOWHERE;
-        firstX = NOWHERE;
-        firstY = NOWHERE;
-        firstZ = NOWHERE;
-        lastX = -NOWHERE;
-        lastY = -NOWHERE;
-        lastZ = -NOWHERE;
-    }
-
-    /** Adds a box given by minimum x, y, z and maximum x, y, z; its midpoint counts as the center. */
-    void add(float[] sides, int at) {
-        lowX = Math.min(lowX, sides[at]);
-        lowY = Math.min(lowY, sides[at + 1]);
-        lowZ = Math.min(lowZ, sides[at + 2]);
-        highX = Math.max(highX, sides[at + 3]);
-        highY = Math.max(highY, sides[at + 4]);
-        highZ = Math.max(highZ, sides[at + 5]);
-        float x = middle(sides, at);
-        float y = middle(sides, at + 1);
-        float z = middle(sides, at + 2);
-        firstX = Math.min(firstX, x);
-        firstY = Math.min(firstY, y);
-        firstZ = Math.min(firstZ, z);
-        lastX = Math.max(lastX, x);
-        lastY = Math.max(lastY, y);
-        lastZ = Math.max(lastZ, z);
+    private void set(int axis, float least, float most, float start, float end) {
+        low[axis] = least;
+        high[axis] = most;
+        first[axis] = start;
+        last[axis] = end;
     }
 
     /** Midpoint of a low side and its high side. */
@@ -117,20 +88,26 @@ final class Bounds {
 
     /** Axis along which the centers are spread farthest: 0 for x, 1 for y, 2 for z. */
     int longestAxis() {
-        float x = lastX - firstX;
-        float y = lastY - firstY;
-        float z = lastZ - firstZ;
+        float x = last[0] - first[0];
+        float y = last[1] - first[1];
+        float z = last[2] - first[2];
         return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
     }
 
     /** Smallest coordinate of a center along an axis. */
     float first(int axis) {
-        return axis == 0 ? firstX : axis == 1 ? firstY : firstZ;
+        return first[axis];
     }
 
     /** Largest coordinate of a center along an axis. */
     float last(int axis) {
-        return axis == 0 ? lastX : axis == 1 ? lastY : lastZ;
+        return last[axis];
+    }
+
+    /** Whether the centers are so far apart that they can be divided. */
+    boolean areApart() {
+        int axis = longestAxis();
+        return areApart(first(axis), last(axis));
     }
 
     /** Whether the range is wide enough to be divided into bins or cells. */
@@ -138,23 +115,25 @@ final class Bounds {
         return high - low > 1e-6f * Math.max(Math.abs(low), Math.abs(high)) && high - low > 1e-30f;
     }
 
-    /** Writes the box of the spheres to a node. */
-    void write(float[] hierarchy, int node) {
-        writeSides(hierarchy, node, lowX, highX);
-        writeSides(hierarchy, node + 1, lowY, highY);
-        writeSides(hierarchy, node + 2, lowZ, highZ);
-        float all = hierarchy[node + Layout.NODE_HALF]
-                + hierarchy[node + Layout.NODE_HALF + 1]
-                + hierarchy[node + Layout.NODE_HALF + 2];
-        hierarchy[node + Layout.NODE_HALF] += SIZE_MARGIN * all;
-        hierarchy[node + Layout.NODE_HALF + 1] += SIZE_MARGIN * all;
-        hierarchy[node + Layout.NODE_HALF + 2] += SIZE_MARGIN * all;
+    /** Writes the box to a node. */
+    void write(float[] nodes, int node) {
+        for (int axis = 0; axis < 3; axis++) {
+            float center = 0.5f * (low[axis] + high[axis]);
+            float farther = Math.max(Math.abs(low[axis]), Math.abs(high[axis]));
+            nodes[node + Layout.NODE_CENTER + axis] = center;
+            nodes[node + Layout.NODE_HALF + axis] =
+                    Math.max(high[axis] - center, center - low[axis]) + PLACE_MARGIN * farther;
+        }
+        int half = node + Layout.NODE_HALF;
+        float margin = SIZE_MARGIN * (nodes[half] + nodes[half + 1] + nodes[half + 2]);
+        nodes[half] += margin;
+        nodes[half + 1] += margin;
+        nodes[half + 2] += margin;
     }
 
-    private static void writeSides(float[] hierarchy, int at, float low, float high) {
-        float center = 0.5f * (low + high);
-        float farther = Math.max(Math.abs(low), Math.abs(high));
-        hierarchy[at + Layout.NODE_CENTER] = center;
-        hierarchy[at + Layout.NODE_HALF] = Math.max(high - center, center - low) + PLACE_MARGIN * farther;
+    /** Writes the box as minimum x, y, z and maximum x, y, z. */
+    void writeSides(float[] sides, int at) {
+        System.arraycopy(low, 0, sides, at, 3);
+        System.arraycopy(high, 0, sides, at + 3, 3);
     }
 }

@@ -9,9 +9,19 @@ import java.util.stream.IntStream;
  * hierarchy partition cells instead of single spheres (as Ganestam and others do with small trees, 2015). The work is
  * parallel, and the order does not depend on the number of cores.
  */
-final class SphereCells {
+final class SphereCells implements Subtree.Items {
     /** Few enough that partitioning them costs less than a pass over all spheres; enough for more than ten levels. */
-    static final int MOST = 4096;
+    private static final int MOST = 4096;
+
+    /** Cells with fewer spheres in total are split by single spheres. */
+    private static final int FEWEST_SPHERES = 48;
+
+    /**
+     * With more ancestors, cells are split at the median; then {@link #MOST} cells end at the depth where single
+     * spheres are split so too.
+     */
+    private static final int MOST_UNEVEN_ANCESTORS =
+            Spheres.MOST_UNEVEN_ANCESTORS - Integer.numberOfTrailingZeros(MOST);
 
     private static final int SPHERES_A_CELL = 16;
 
@@ -21,16 +31,23 @@ final class SphereCells {
     /** Keeps the last center within the last cell. */
     private static final float INSIDE = 0.99999f;
 
+    /** Number of cells that have spheres. */
+    final int count;
+
+    /** Receives the spheres as soon as their order is known. */
+    private final Spheres ordered;
+
     /** The spheres, cell by cell, laid out as in {@link Layout}. */
-    final float[] spheres;
+    private final float[] spheres;
 
     /** Start of each cell's spheres, and the total, in spheres. */
-    final int[] firsts;
+    private final int[] firsts;
 
-    /** Minimum x, y, z and maximum x, y, z of each cell's spheres; meaningless for empty cells. */
-    final float[] boxes;
+    /** The boxes around the spheres of cells that have some. */
+    private final Boxes boxes;
 
-    final int count;
+    /** Number of spheres before each of these, where a range starts, and the total. */
+    private final int[] before;
 
     private final float[] places;
     private final int bodies;
@@ -40,20 +57,20 @@ final class SphereCells {
     private final int[] along = new int[3];
 
     /** Sorts the spheres among these bodies, given {@link Bodies#floats}. */
-    SphereCells(float[] places, int bodies) {
+    SphereCells(float[] places, int bodies, Spheres ordered) {
+        this.ordered = ordered;
         this.places = places;
         this.bodies = bodies;
         int all = bodies - Layout.FIRST_SPHERE;
         cells = new int[all];
         spheres = new float[all * Layout.SPHERE_STRIDE];
         shape(all);
-        count = along[0] * along[1] * along[2];
-        firsts = new int[count + 1];
-        boxes = new float[6 * count];
-        int[][] next = new int[RUNS][count];
+        int grid = along[0] * along[1] * along[2];
+        firsts = new int[grid + 1];
+        int[][] next = new int[RUNS][grid];
         IntStream.range(0, RUNS).parallel().forEach(run -> assign(run, next[run]));
         int sorted = 0;
-        for (int cell = 0; cell < count; cell++) {
+        for (int cell = 0; cell < grid; cell++) {
             firsts[cell] = sorted;
             for (int[] nextOfRun : next) {
                 int here = nextOfRun[cell];
@@ -61,7 +78,13 @@ final class SphereCells {
                 sorted += here;
             }
         }
-        firsts[count] = sorted;
+        firsts[grid] = sorted;
+        int[] numbers =
+                IntStream.range(0, grid).filter(cell -> spheresIn(cell) > 0).toArray();
+        count = numbers.length;
+        boxes = new Boxes(new float[6 * count], numbers);
+        before = new int[count + 1];
+        before[count] = sorted;
         IntStream.range(0, RUNS).parallel().forEach(run -> copy(run, next[run]));
         IntStream.range(0, RUNS).parallel().forEach(run -> findBoxes(count * run / RUNS, count * (run + 1) / RUNS));
     }
@@ -130,19 +153,67 @@ final class SphereCells {
 
     private void findBoxes(int from, int to) {
         Bounds bounds = new Bounds();
-        for (int cell = from; cell < to; cell++) {
-            bounds.hold(spheres, Layout.SPHERE_STRIDE * firsts[cell], Layout.SPHERE_STRIDE * firsts[cell + 1]);
-            int at = 6 * cell;
-            boxes[at] = bounds.lowX;
-            boxes[at + 1] = bounds.lowY;
-            boxes[at + 2] = bounds.lowZ;
-            boxes[at + 3] = bounds.highX;
-            boxes[at + 4] = bounds.highY;
-            boxes[at + 5] = bounds.highZ;
+        for (int item = from; item < to; item++) {
+            int cell = boxes.numbers()[item];
+            bounds.holdSpheres(spheres, Layout.SPHERE_STRIDE * firsts[cell], Layout.SPHERE_STRIDE * firsts[cell + 1]);
+            bounds.writeSides(boxes.sides(), 6 * item);
         }
     }
 
-    int spheresIn(int cell) {
+    private int spheresIn(int cell) {
         return firsts[cell + 1] - firsts[cell];
+    }
+
+    @Override
+    public int mostInLeaf() {
+        return ordered.mostInLeaf();
+    }
+
+    @Override
+    public int before(int item) {
+        return before[item];
+    }
+
+    @Override
+    public Subtree.Items opened(int start, int end) {
+        if (end - start > 1 && before[end] - before[start] > Math.max(FEWEST_SPHERES, mostInLeaf())) {
+            return this;
+        }
+        int behind = ordered.linkToItem(before[start]);
+        for (int item = start; item < end; item++) {
+            int cell = boxes.numbers()[item];
+            int length = Layout.SPHERE_STRIDE * spheresIn(cell);
+            System.arraycopy(spheres, Layout.SPHERE_STRIDE * firsts[cell], ordered.floats(), behind, length);
+            behind += length;
+        }
+        return ordered;
+    }
+
+    @Override
+    public int hold(int start, int end, Bounds bounds) {
+        bounds.holdBoxes(boxes.sides(), start, end);
+        return end;
+    }
+
+    @Override
+    public int split(int start, int end, int ancestors, Bounds bounds, Bins bins) {
+        int axis = bounds.longestAxis();
+        int middle = (start + end) / 2;
+        if (ancestors < MOST_UNEVEN_ANCESTORS && bins.start(end - start, bounds.first(axis), bounds.last(axis))) {
+            for (int item = start; item < end; item++) {
+                boxes.add(item, spheresIn(boxes.numbers()[item]), axis, bins);
+            }
+            middle = boxes.part(start, end, axis, bins);
+        }
+        before[middle] = before[start];
+        for (int item = start; item < middle; item++) {
+            before[middle] += spheresIn(boxes.numbers()[item]);
+        }
+        return middle;
+    }
+
+    @Override
+    public int linkToItem(int item) {
+        return ordered.linkToItem(before[item]);
     }
 }

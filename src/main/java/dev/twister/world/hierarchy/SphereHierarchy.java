@@ -6,14 +6,9 @@ import dev.twister.world.table.InstanceTable;
 import java.util.Arrays;
 
 /**
- * Builds bounding volume hierarchies over the spheres: binary trees of boxes, split by the surface area heuristic
- * (Goldsmith and Salmon 1987), which is evaluated at the borders of equal bins (Wald 2007), on all cores.
- *
- * <p>A hierarchy follows the places in one array, see {@link Layout}: the spheres in the order of the leaves, then the
- * nodes, the root first. A node over n spheres reserves room for its 2 n - 2 descendants directly after its children or
- * its elder sibling's room. Its location therefore does not depend on the order in which threads finish; leaves of
- * several spheres leave gaps of zeros. The length depends only on the room for bodies, not on the number of present
- * ones.
+ * Builds bounding volume hierarchies over the spheres: binary trees of boxes, see {@link Subtree}. A hierarchy follows
+ * the places in one array, see {@link Layout}: the spheres in the order of the leaves, then the nodes, the root first.
+ * The length depends only on the room for bodies, not on the number of present ones.
  */
 public final class SphereHierarchy {
     /** With fewer spheres a loop over all is at least as fast; see {@code docs/decisions/010}. */
@@ -29,6 +24,12 @@ public final class SphereHierarchy {
 
     /** Of the box around all, for the rounding of its own sides. */
     private static final float GROWTH = 1 + 0x1p-20f;
+
+    /**
+     * Tells by its identity whether two inputs have the same hierarchy over the spheres, though other numbers of the
+     * array that has it differ. No part of the picture: all are equal.
+     */
+    public record Identity() {}
 
     private SphereHierarchy() {}
 
@@ -114,15 +115,15 @@ public final class SphereHierarchy {
         int spheres = bodies - Layout.FIRST_SPHERE;
         int root = shadowRoot(start + Layout.SPHERE_STRIDE * (spheres + lights.length), lights.length);
         int room = root + (lights.length > 0 ? 2 : 1) * Layout.NODE_STRIDE;
-        int end = start + Layout.SPHERE_STRIDE * spheres;
+        Spheres ordered = new Spheres(floats, start, mostInLeaf);
         if (spheres >= FEWEST_FOR_CELLS) {
-            SphereCells cells = new SphereCells(floats, bodies);
-            new CellTree(cells, floats, start, root, room, mostInLeaf).invoke();
+            SphereCells cells = new SphereCells(floats, bodies, ordered);
+            new Subtree(cells, floats, root, room, 0, cells.count, 0).invoke();
         } else {
             for (int sphere = 0; sphere < spheres; sphere++) {
                 writeSphere(floats, start + Layout.SPHERE_STRIDE * sphere, floats, Layout.FIRST_SPHERE + sphere);
             }
-            new Subtree(floats, root, room, start, end, 0, mostInLeaf).invoke();
+            new Subtree(ordered, floats, root, room, 0, spheres, 0).invoke();
         }
     }
 
@@ -138,7 +139,8 @@ public final class SphereHierarchy {
             for (int light = 0; light < lights.length; light++) {
                 writeSphere(floats, from + Layout.SPHERE_STRIDE * light, floats, lights[light]);
             }
-            new Subtree(floats, second, room, from, root, 1, MOST_IN_LEAF).invoke();
+            Spheres ordered = new Spheres(floats, from, MOST_IN_LEAF);
+            new Subtree(ordered, floats, second, room, 0, lights.length, 1).invoke();
             join(floats, root, spheres > 0 ? first : second, second);
             floats[root + Layout.NODE_LINK] = first;
             floats[root + Layout.NODE_SPHERES] = -1;

@@ -32,8 +32,7 @@ public final class TriangleRefit {
                 hold(floats, triangles + Layout.TRIANGLE_STRIDE * link, count, sides, SIDES * node);
             }
             sumBefore += area(floats, at);
-            bounds.clear();
-            bounds.add(sides, SIDES * node);
+            bounds.holdBoxes(sides, node, node + 1);
             bounds.write(floats, at);
             sumAfter += area(floats, at);
         }

@@ -2,7 +2,9 @@ package dev.twister.world.table;
 
 import dev.twister.kernel.Layout;
 import dev.twister.mesh.Affine;
+import dev.twister.scene.Material;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.material.Alpha;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.hierarchy.BoxTree;
 import java.util.ArrayList;
@@ -48,8 +50,8 @@ public final class InstanceTable {
 
     private float[] floats() {
         boolean few = shown.size() <= MOST_WITH_SMALL;
-        List<InstanceLeaf> leaves =
-                shown.stream().map(body -> InstanceLeaf.of(body, meshes, few)).toList();
+        List<Leaf> leaves =
+                shown.stream().map(body -> Leaf.of(body, meshes, few)).toList();
         float[] boxes = new float[6 * leaves.size()];
         int length = 0;
         for (int i = 0; i < leaves.size(); i++) {
@@ -57,7 +59,7 @@ public final class InstanceTable {
             length += leaves.get(i).floats().length;
         }
         int[] order = new int[leaves.size()];
-        float[] nodes = BoxTree.nodes(new BoxTree.Boxes(boxes, order, 1, instance -> instance));
+        float[] nodes = BoxTree.nodes(boxes, order, 1, instance -> instance);
         int before = (nodes.length + length + Layout.NODE_STRIDE - 1) / Layout.NODE_STRIDE;
         int instances = 1 + Layout.NODE_STRIDE * before;
         float[] floats = new float[instances + Layout.INSTANCE_STRIDE * order.length];
@@ -66,7 +68,7 @@ public final class InstanceTable {
         for (int node = 0; node < nodes.length; node += Layout.NODE_STRIDE) {
             if (nodes[node + Layout.NODE_SPHERES] > 0) {
                 int number = (int) nodes[node + Layout.NODE_LINK];
-                InstanceLeaf leaf = leaves.get(order[number]);
+                Leaf leaf = leaves.get(order[number]);
                 write(floats, instances + Layout.INSTANCE_STRIDE * number, order[number]);
                 nodes[node + Layout.NODE_SPHERES] = leaf.triangles();
                 if (leaf.triangles() > 0) {
@@ -141,6 +143,64 @@ public final class InstanceTable {
             return Float.isFinite((float) vector.x())
                     && Float.isFinite((float) vector.y())
                     && Float.isFinite((float) vector.z());
+        }
+    }
+
+    /**
+     * What a leaf of the hierarchy over the meshes has: an instance, or, of a mesh whose own hierarchy is one leaf, its
+     * triangles in the world's coordinates, see {@link Layout#SMALL_INSTANCE}. For these, rays need not be transformed.
+     *
+     * @param triangles number of triangles; 0 for an instance
+     * @param floats the triangles' data, without the instance's number; none for an instance
+     */
+    @SuppressWarnings("ArrayRecordComponent") // never compared
+    private record Leaf(MeshBox box, int triangles, float[] floats) {
+        /** @param mayBeSmall whether the leaf may have triangles */
+        static Leaf of(MeshBody body, float[] meshes, boolean mayBeSmall) {
+            return mayBeSmall && body.place().counts().nodes() == 1 && isOpaque(body.material())
+                    ? inWorld(body, meshes)
+                    : new Leaf(MeshBox.of(body, meshes), 0, new float[0]);
+        }
+
+        /** Of other materials, rays need places in the mesh's coordinates, or meet the body once. */
+        private static boolean isOpaque(Material material) {
+            return material.transmission() == 0 && material.alpha().mode() == Alpha.Mode.OPAQUE;
+        }
+
+        private static Leaf inWorld(MeshBody body, float[] meshes) {
+            int leaf = body.place().start();
+            int first = leaf + Layout.NODE_STRIDE;
+            int count = (int) meshes[leaf + Layout.NODE_SPHERES];
+            float[] floats = new float[Layout.SMALL_TRIANGLES + Layout.TRIANGLE_STRIDE * count];
+            Vector3 low = new Vector3(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE);
+            Vector3 high = low.times(-1);
+            for (int corner = 0; corner < 3 * count; corner++) {
+                int offset = Layout.TRIANGLE_STRIDE * (corner / 3) + 3 * (corner % 3);
+                int at = first + offset;
+                Vector3 inMesh = new Vector3(meshes[at], meshes[at + 1], meshes[at + 2]);
+                Vector3 point = body.placement().point(inMesh);
+                int place = Layout.SMALL_TRIANGLES + offset;
+                floats[place] = (float) point.x();
+                floats[place + 1] = (float) point.y();
+                floats[place + 2] = (float) point.z();
+                floats[Layout.SMALL_REACH] = Math.max(floats[Layout.SMALL_REACH], reach(body.placement(), inMesh));
+                low = low.map(point, Math::min);
+                high = high.map(point, Math::max);
+            }
+            return new Leaf(new MeshBox(low, high), count, floats);
+        }
+
+        /** The largest sum of magnitudes that the coordinates of a transformed point are sums of. */
+        private static float reach(Affine placement, Vector3 point) {
+            Vector3 sum = magnitude(placement.axisX().times(point.x()))
+                    .plus(magnitude(placement.axisY().times(point.y())))
+                    .plus(magnitude(placement.axisZ().times(point.z())))
+                    .plus(magnitude(placement.origin()));
+            return (float) Math.max(Math.max(sum.x(), sum.y()), sum.z());
+        }
+
+        private static Vector3 magnitude(Vector3 vector) {
+            return new Vector3(Math.abs(vector.x()), Math.abs(vector.y()), Math.abs(vector.z()));
         }
     }
 }

@@ -43,7 +43,7 @@ public record MeshGeometry(MeshCounts counts, float[] floats) {
     private static MeshGeometry of(TriangleMesh mesh, int mostInLeaf, IntFunction<?> content) {
         float[] boxes = boxes(mesh);
         int[] order = new int[mesh.triangles()];
-        float[] nodes = BoxTree.nodes(new BoxTree.Boxes(boxes, order, mostInLeaf, content));
+        float[] nodes = BoxTree.nodes(boxes, order, mostInLeaf, content);
         long length = nodes.length + (long) Layout.TRIANGLE_STRIDE * order.length;
         for (float[] values : attributes(mesh)) {
             length += values.length;

@@ -8,7 +8,6 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.light.Lights;
 import dev.twister.world.SceneMeshes;
-import dev.twister.world.hierarchy.HierarchyIdentity;
 import dev.twister.world.hierarchy.SphereHierarchy;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -35,7 +34,7 @@ public final class PlaceTable {
     private float[] floats = {};
     private boolean floatsHold;
     private boolean hierarchyHolds;
-    private HierarchyIdentity hierarchy = new HierarchyIdentity();
+    private SphereHierarchy.Identity hierarchy = new SphereHierarchy.Identity();
 
     /** @param origin of the places, in the scene's coordinates */
     public PlaceTable(Vector3 origin) {
@@ -174,7 +173,7 @@ public final class PlaceTable {
                         floats, places, present, lights, numbers.room(), numbers.firstMesh(), instances);
             } else {
                 floats = SphereHierarchy.of(places, present, lights, numbers.firstMesh(), instances);
-                hierarchy = new HierarchyIdentity();
+                hierarchy = new SphereHierarchy.Identity();
             }
             floatsHold = true;
             hierarchyHolds = true;
@@ -183,7 +182,7 @@ public final class PlaceTable {
     }
 
     /** Of the last {@link #floats}. */
-    public HierarchyIdentity hierarchy() {
+    public SphereHierarchy.Identity hierarchy() {
         return hierarchy;
     }
 

@@ -8,7 +8,6 @@ import dev.twister.bench.Statistics;
 import dev.twister.bench.benchmark.BenchmarkReport;
 import dev.twister.bench.benchmark.BenchmarkTest;
 import dev.twister.bench.benchmark.EngineFailure;
-import dev.twister.bench.benchmark.FastestEngines;
 import dev.twister.bench.benchmark.Measurement;
 import java.io.IOException;
 import java.io.Reader;
@@ -165,7 +164,7 @@ class ReportsTest {
                 Map.of(),
                 true);
 
-        assertThat(FastestEngines.sentence(report)).isEqualTo("The fastest engine of 1 setting: device at 1.");
+        assertThat(report.fastestEngines()).isEqualTo("The fastest engine of 1 setting: device at 1.");
     }
 
     @Test

@@ -7,7 +7,6 @@ import com.sun.management.OperatingSystemMXBean;
 import com.sun.management.ThreadMXBean;
 import dev.twister.ChildJvm;
 import dev.twister.engine.Engine;
-import dev.twister.engine.vector.lanes.FusedMultiplyAdd;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.image.Frame;
 import dev.twister.oracle.Crowds;
@@ -76,7 +75,7 @@ final class AllocationTest {
                 .as("vector width in bits; wider vectors than the CPU's are boxed")
                 .isLessThanOrEqualTo(FloatVector.SPECIES_PREFERRED.vectorBitSize());
         assumeIsTested(bits);
-        requireWarm(bits, FusedMultiplyAdd.isFast(), scene);
+        requireWarm(bits, Lanes.FUSED, scene);
     }
 
     /** CPUs without fused multiply-add have four lanes. */
@@ -104,8 +103,7 @@ final class AllocationTest {
 
     /** Returns the output of a JVM with this vector width. */
     private static String warmUp(int bits, boolean fused, String scene) throws IOException, InterruptedException {
-        List<String> width =
-                List.of("-D" + Lanes.BITS_PROPERTY + "=" + bits, "-D" + FusedMultiplyAdd.PROPERTY + "=" + fused);
+        List<String> width = List.of("-D" + Lanes.BITS_PROPERTY + "=" + bits, "-D" + Lanes.FMA_PROPERTY + "=" + fused);
         Process java = ChildJvm.start(
                 ChildJvm.asLaunched(width, WarmFrames.class, scene).redirectErrorStream(true));
         String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

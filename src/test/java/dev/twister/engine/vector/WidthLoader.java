@@ -3,7 +3,6 @@ package dev.twister.engine.vector;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import dev.twister.engine.Engine;
-import dev.twister.engine.vector.lanes.FusedMultiplyAdd;
 import dev.twister.engine.vector.lanes.Lanes;
 import java.io.IOException;
 import java.io.InputStream;
@@ -71,7 +70,7 @@ final class WidthLoader extends ClassLoader {
 
     /** Opens an engine without fused multiply-add that traverses the hierarchy from {@code crowd} bodies on. */
     static Engine openWithoutFusing(int threads, int crowd) {
-        return open(Map.of(Lanes.BITS_PROPERTY, "128", FusedMultiplyAdd.PROPERTY, "false"), threads, crowd);
+        return open(Map.of(Lanes.BITS_PROPERTY, "128", Lanes.FMA_PROPERTY, "false"), threads, crowd);
     }
 
     private static Map<String, String> width(int bits) {

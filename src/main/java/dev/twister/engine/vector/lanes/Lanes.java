@@ -1,6 +1,8 @@
 package dev.twister.engine.vector.lanes;
 
+import dev.twister.engine.JvmOptions;
 import java.util.Arrays;
+import java.util.Optional;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
@@ -13,6 +15,9 @@ import jdk.incubator.vector.VectorSpecies;
  */
 public final class Lanes {
     public static final String BITS_PROPERTY = "dev.twister.vector.bits";
+
+    /** System property that overrides the JVM's setting of fused multiply-adds: {@code true} or {@code false}. */
+    public static final String FMA_PROPERTY = "dev.twister.vector.fma";
 
     public static final VectorSpecies<Float> FLOATS = species(Integer.getInteger(BITS_PROPERTY, 0));
     public static final VectorSpecies<Integer> INTS = FLOATS.withLanes(int.class);
@@ -33,7 +38,11 @@ public final class Lanes {
      */
     public static final int BORDER = 12;
 
-    private static final boolean FUSED = FusedMultiplyAdd.isFast();
+    /** Whether the CPU has a fused multiply-add; CPUs older than 2013 and some small or virtual ones lack it. */
+    public static final boolean FUSED = Optional.ofNullable(System.getProperty(FMA_PROPERTY))
+            .or(() -> JvmOptions.value("UseFMA"))
+            .map(Boolean::parseBoolean)
+            .orElse(true);
 
     private static final int[] NUMBERS = new int[COUNT];
 

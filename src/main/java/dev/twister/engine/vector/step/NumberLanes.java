@@ -1,7 +1,6 @@
 package dev.twister.engine.vector.step;
 
 import dev.twister.engine.vector.frame.Drawing;
-import dev.twister.engine.vector.lanes.Hash;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.PacketList;
 import dev.twister.engine.vector.lanes.Tile;
@@ -46,7 +45,7 @@ final class NumberLanes {
         for (int k = 0; k < packets.count; k++) {
             int at = packets.places[k];
             IntVector pixel = Lanes.truncated(Lanes.load(t, at + from)).add(offset);
-            Hash.mixed(pixel.lanewise(VectorOperators.XOR, key)).intoArray(hashes, at + to);
+            mixed(pixel.lanewise(VectorOperators.XOR, key)).intoArray(hashes, at + to);
         }
     }
 
@@ -57,7 +56,7 @@ final class NumberLanes {
             int at = packets.places[k];
             IntVector first = IntVector.fromArray(Lanes.INTS, hashes, at + column);
             IntVector second = IntVector.fromArray(Lanes.INTS, hashes, at + other);
-            Hash.mixed(first.lanewise(VectorOperators.XOR, second)).intoArray(hashes, at + column);
+            mixed(first.lanewise(VectorOperators.XOR, second)).intoArray(hashes, at + column);
         }
     }
 
@@ -67,7 +66,7 @@ final class NumberLanes {
         for (int k = 0; k < packets.count; k++) {
             int at = packets.places[k] + Tile.UPPER_LEFT;
             IntVector hash = IntVector.fromArray(Lanes.INTS, hashes, at);
-            Hash.mixed(hash.lanewise(VectorOperators.XOR, number)).intoArray(hashes, at);
+            mixed(hash.lanewise(VectorOperators.XOR, number)).intoArray(hashes, at);
         }
     }
 
@@ -96,5 +95,17 @@ final class NumberLanes {
                     .add(Lanes.toFloats(low).mul(Noise.STEP * Noise.STEP * 256f))
                     .intoArray(t, at + column);
         }
+    }
+
+    /** {@link Noise#mixed}. */
+    private static IntVector mixed(IntVector values) {
+        IntVector mixed =
+                folded(values, Noise.FIRST_SHIFT).mul(Noise.FIRST_FACTOR).and(Noise.BITS);
+        mixed = folded(mixed, Noise.SECOND_SHIFT).mul(Noise.SECOND_FACTOR).and(Noise.BITS);
+        return folded(mixed, Noise.THIRD_SHIFT);
+    }
+
+    private static IntVector folded(IntVector values, int shift) {
+        return values.lanewise(VectorOperators.XOR, values.lanewise(VectorOperators.ASHR, shift));
     }
 }
