@@ -22,7 +22,6 @@ import dev.twister.gui.files.TitleDialog;
 import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.panel.Panel;
 import dev.twister.gui.panel.PanelEdge;
-import dev.twister.gui.panel.PanelKeys;
 import dev.twister.gui.panel.PanelWindow;
 import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.Comparison.Mode;
@@ -141,9 +140,9 @@ final class Workbench implements AutoCloseable {
         root.setBottom(new VBox(film, new DopeSheet(studio, film), root.getBottom()));
         root.setRight(side);
         menu.explainKeys(root.getScene(), studio);
-        PanelKeys.leadBack(panel, this::focusPicture);
+        panel.leadBack(this::focusPicture);
         for (Scene scene : List.of(root.getScene(), panelWindow.scene())) {
-            PanelKeys.install(scene, panel, () -> showPanel(true));
+            panel.followKeys(scene, () -> showPanel(true));
             DropTarget.install(scene, files.files());
         }
     }

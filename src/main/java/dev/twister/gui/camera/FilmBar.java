@@ -231,10 +231,6 @@ public final class FilmBar extends HBox {
     }
 
     private static Button button(Command command, CommandActions actions) {
-        Button button = new Button(command.label());
-        button.setId("film-" + Ids.of(command.label()));
-        button.setTooltip(Tooltips.of(command));
-        button.setOnAction(_ -> actions.run(command));
-        return button;
+        return actions.button("film-" + Ids.of(command.label()), command);
     }
 }
