@@ -8,7 +8,7 @@ import dev.twister.gui.files.FileChoice;
 import dev.twister.gui.files.Reading;
 import dev.twister.gui.files.SceneSaving;
 import dev.twister.gui.files.SettingsKeeper;
-import dev.twister.gui.gallery.SceneGallery;
+import dev.twister.gui.files.SceneGallery;
 import dev.twister.gui.picture.PictureActions;
 import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
