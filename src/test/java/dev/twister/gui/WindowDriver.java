@@ -100,7 +100,7 @@ public final class WindowDriver implements AutoCloseable {
         window = new MainWindow(
                 stage,
                 studio,
-                new WindowOptions(
+                new MainWindow.Options(
                         files,
                         settings,
                         found,

@@ -237,7 +237,7 @@ public final class Studio implements AutoCloseable {
     public void edit(String what, UnaryOperator<Scene> change) {
         Scene edited = change.apply(scene());
         if (motion.isOn() && !edited.spheres().equals(scene().spheres())) {
-            MovedScene.Edit edit = bodies.moved().edit(change);
+            PresentBodies.MovedScene.Edit edit = bodies.moved().edit(change);
             document.carryOnMoved(edit.before());
             document.edit(what, _ -> edit.after());
         } else {

@@ -41,7 +41,7 @@ class RenderJobTest {
         List<Double> parts = new ArrayList<>();
 
         start("film.apng", 3, _ -> {
-            JobProgress progress = running.join().progress();
+            RenderJob.JobProgress progress = running.join().progress();
             told.add(progress.text());
             parts.add(progress.part().orElseThrow());
             nanos.addAndGet(TimeUnit.SECONDS.toNanos(40));
