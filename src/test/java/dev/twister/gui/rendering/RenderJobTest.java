@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.edit.Scenes;
+import dev.twister.gui.rendering.WindowOrder.FilmMotion;
 import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.gui.rendering.WindowOrder.MovingScene;
 import dev.twister.render.FrameRange;
