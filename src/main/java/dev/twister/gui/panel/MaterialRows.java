@@ -160,8 +160,7 @@ final class MaterialRows {
     }
 
     private void edit(String what, UnaryOperator<Material> edit) {
-        studio.edit(what, scene -> edited(scene, edit));
-        studio.endGesture();
+        studio.editOnce(what, scene -> edited(scene, edit));
     }
 
     /** Only meshes are cut out, and the plane cannot emit. */
@@ -231,10 +230,9 @@ final class MaterialRows {
     }
 
     private void set(Property<Scene, Optional<Path>> property, Optional<Path> file) {
-        studio.edit(
+        studio.editOnce(
                 property.row().label().toLowerCase(Locale.ROOT),
                 scene -> property.wither().apply(scene, file));
-        studio.endGesture();
     }
 
     /** No image, those of the scene, and those at the time of the selection. */

@@ -235,13 +235,12 @@ public final class Panel extends ScrollPane {
     public static void resetAll(Studio studio, BackgroundTasks tasks, EngineList engines, String usualEngine) {
         // First, because an edit of moving bodies keeps their places.
         studio.motion().setOn(false);
-        studio.edit(
+        studio.editOnce(
                 "everything",
                 scene -> studio.document()
                         .original()
                         .withCamera(CameraRig.of(studio.document().original().camera())
                                 .on(scene.camera())));
-        studio.endGesture();
         studio.cameraControl().goHome();
         studio.setResolution(ResolutionMode.WINDOW);
         studio.setShown(StageOrView.BEAUTY);

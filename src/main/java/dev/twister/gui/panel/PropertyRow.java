@@ -147,10 +147,9 @@ record PropertyRow(PanelRow row, BiConsumer<Scene, Scene> follow, Optional<Integ
     }
 
     private static <V> void set(Property<Scene, V> property, V value, Studio studio) {
-        studio.edit(
+        studio.editOnce(
                 property.row().label().toLowerCase(Locale.ROOT),
                 scene -> property.wither().apply(scene, value));
-        studio.endGesture();
     }
 
     private static String label(Object value) {

@@ -111,8 +111,7 @@ public final class PictureActions implements AutoCloseable {
         }
         double stops = measured.getAsDouble();
         studio.endGesture();
-        studio.edit("exposure", scene -> PropertyNumbers.EXPOSURE.write(scene, stops));
-        studio.endGesture();
+        studio.editOnce("exposure", scene -> PropertyNumbers.EXPOSURE.write(scene, stops));
         studio.notice("Exposure: " + PropertyNumbers.EXPOSURE.scale().text(stops) + " stops");
     }
 
