@@ -119,7 +119,8 @@ public final class WindowOrder {
         /** What can move in a scene; empty if nothing can. */
         public static List<FilmMotion> of(Scene scene) {
             boolean path = scene.camera().keyframes().size() >= FEWEST_KEYFRAMES
-                    || scene.tracks().stream().anyMatch(track -> track.keyframes().size() >= FEWEST_KEYFRAMES)
+                    || scene.tracks().stream()
+                            .anyMatch(track -> track.keyframes().size() >= FEWEST_KEYFRAMES)
                     || Animation.isOfMeshes(scene);
             boolean bodies = !scene.spheres().isEmpty() || scene.pour().isPresent();
             boolean falls = bodies && !scene.physics().gravity().equals(NONE);
