@@ -122,9 +122,7 @@ record PropertyRow(PanelRow row, BiConsumer<Scene, Scene> follow, Optional<Integ
     /** What is brighter than a screen can show keeps its brightness when its color is chosen. */
     private static PropertyRow color(Property<Scene, Rgb> property, Studio studio) {
         ColorRow row = new ColorRow(
-                property.row().label(),
-                property.row().hint(),
-                property.row().keys(),
+                property.row(),
                 studio,
                 scene -> shown(property.getter().apply(scene)),
                 (scene, rgb) -> property.wither()
