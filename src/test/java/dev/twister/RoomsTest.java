@@ -219,7 +219,9 @@ class RoomsTest {
                         "world.animation"),
                 room(
                         "gui.files",
+                        "engine",
                         "files",
+                        "image",
                         "mesh",
                         "scene",
                         "scene.format",
@@ -235,17 +237,6 @@ class RoomsTest {
                         "gui.studio",
                         "scene.light",
                         "scene.property",
-                        "scene.select"),
-                room(
-                        "gui.gallery",
-                        "files",
-                        "scene",
-                        "scene.format",
-                        "world",
-                        "engine",
-                        "image",
-                        "gui.controls",
-                        "gui.files",
                         "scene.select"),
                 room(
                         "gui.picture",

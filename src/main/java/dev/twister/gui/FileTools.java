@@ -6,9 +6,9 @@ import dev.twister.gui.files.AutosaveKeeper;
 import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.FileChoice;
 import dev.twister.gui.files.Reading;
+import dev.twister.gui.files.SceneGallery;
 import dev.twister.gui.files.SceneSaving;
 import dev.twister.gui.files.SettingsKeeper;
-import dev.twister.gui.gallery.SceneGallery;
 import dev.twister.gui.picture.PictureActions;
 import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
@@ -31,7 +31,7 @@ record FileTools(
     static FileTools of(
             Stage stage,
             Studio studio,
-            WindowOptions options,
+            MainWindow.Options options,
             Reading reading,
             BackgroundTasks tasks,
             BooleanSupplier takeTyped) {

@@ -114,7 +114,7 @@ public final class Gui {
         MainWindow window = new MainWindow(
                 stage,
                 studio,
-                new WindowOptions(
+                new MainWindow.Options(
                         new SystemFileChoice(stage),
                         own.settings(),
                         found,

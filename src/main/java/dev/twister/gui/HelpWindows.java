@@ -12,8 +12,6 @@ import javafx.geometry.Rectangle2D;
 import javafx.scene.Scene;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
-import javafx.scene.input.KeyCode;
-import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
@@ -91,19 +89,7 @@ final class HelpWindows {
     }
 
     private Stage window(String title) {
-        Scene scene = new Scene(new Region());
-        scene.getStylesheets().setAll(owner.getScene().getStylesheets());
-        Stage stage = new Stage();
-        stage.initOwner(owner);
-        OwnedWindows.center(stage, owner);
-        stage.setTitle(title);
-        stage.setScene(scene);
-        scene.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
-            if (event.getCode() == KeyCode.ESCAPE) {
-                stage.close();
-            }
-        });
-        return stage;
+        return OwnedWindows.createHiddenByEscape(owner, title, new Scene(new Region()));
     }
 
     private static Region scrolling(Region page) {

@@ -3,11 +3,16 @@ package dev.twister.gui;
 import dev.twister.bench.report.WindowRates;
 import dev.twister.gui.camera.CameraKeys;
 import dev.twister.gui.camera.CameraMouse;
+import dev.twister.gui.files.AutosaveFolder;
+import dev.twister.gui.files.FileChoice;
 import dev.twister.gui.files.Reading;
+import dev.twister.gui.files.SettingsStore;
+import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.panel.PanelWindow;
 import dev.twister.gui.picture.FrameTimesView;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.Studio;
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -53,6 +58,26 @@ public final class MainWindow implements AutoCloseable {
     private PulseListener listener = (_, _) -> {};
 
     /**
+     * The dependencies of a window.
+     *
+     * @param files the file dialogs
+     * @param settings the store of the window's settings
+     * @param found the settings read from the store
+     * @param autosaves the store of unsaved edits
+     * @param shipped the scenes that are offered and never overwritten
+     * @param asked the scene's file, if the user named it
+     * @param textScale how much larger than usual text is, above 0
+     */
+    record Options(
+            FileChoice files,
+            SettingsStore settings,
+            SettingsStore.Found found,
+            AutosaveFolder autosaves,
+            ShippedFolders shipped,
+            Optional<Path> asked,
+            double textScale) {}
+
+    /**
      * Told of each pulse when it began and when the interface's thread was done with it, by {@link System#nanoTime}.
      */
     @FunctionalInterface
@@ -60,7 +85,7 @@ public final class MainWindow implements AutoCloseable {
         void pulsed(long startNanos, long endNanos);
     }
 
-    MainWindow(Stage stage, Studio studio, WindowOptions options) {
+    MainWindow(Stage stage, Studio studio, Options options) {
         this.stage = stage;
         this.studio = studio;
         picture = new PictureView(studio);

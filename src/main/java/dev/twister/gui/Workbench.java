@@ -11,7 +11,7 @@ import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.drawing.StagesAndViews;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.BodyTransform;
-import dev.twister.gui.files.DropTarget;
+import dev.twister.gui.files.DroppedFile;
 import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.FileNames;
 import dev.twister.gui.files.Reading;
@@ -21,15 +21,12 @@ import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.files.TitleDialog;
 import dev.twister.gui.files.WindowSettings;
 import dev.twister.gui.panel.Panel;
-import dev.twister.gui.panel.PanelEdge;
-import dev.twister.gui.panel.PanelKeys;
 import dev.twister.gui.panel.PanelWindow;
 import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.Comparison.Mode;
-import dev.twister.gui.picture.ExposureActions;
 import dev.twister.gui.picture.FrameTimesView;
 import dev.twister.gui.picture.PictureView;
-import dev.twister.gui.picture.ZoomMouse;
+import dev.twister.gui.picture.PictureZoom;
 import dev.twister.gui.rendering.RenderActions;
 import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Denoising;
@@ -95,7 +92,7 @@ final class Workbench implements AutoCloseable {
             FrameTimesView frameTimes,
             Studio studio,
             Reading reading,
-            WindowOptions options) {
+            MainWindow.Options options) {
         this.stage = stage;
         this.studio = studio;
         this.picture = picture;
@@ -123,7 +120,6 @@ final class Workbench implements AutoCloseable {
         panel.foldAsKept(settings());
         HBox side = new HBox(panel);
         panelWindow = new PanelWindow(stage, panel, side, picture, settings());
-        side.getChildren().addFirst(new PanelEdge(panel, panelWindow.dockedProperty(), settings()));
         bind(actions);
         actions.on(Command.RESET, () -> Panel.resetAll(studio, tasks, engines, usualEngine));
         menu = new MenuView(studio, settings(), files.files(), actions, bodies::insert);
@@ -141,10 +137,10 @@ final class Workbench implements AutoCloseable {
         root.setBottom(new VBox(film, new DopeSheet(studio, film), root.getBottom()));
         root.setRight(side);
         menu.explainKeys(root.getScene(), studio);
-        PanelKeys.leadBack(panel, this::focusPicture);
+        panel.leadBack(this::focusPicture);
         for (Scene scene : List.of(root.getScene(), panelWindow.scene())) {
-            PanelKeys.install(scene, panel, () -> showPanel(true));
-            DropTarget.install(scene, files.files());
+            panel.followKeys(scene, () -> showPanel(true));
+            DroppedFile.accept(scene, files.files()::drop);
         }
     }
 
@@ -295,7 +291,6 @@ final class Workbench implements AutoCloseable {
     }
 
     private void bindEdit(CommandActions actions) {
-        ExposureActions exposure = new ExposureActions(studio, tasks);
         actions.on(Command.UNDO, studio::undo)
                 .on(Command.REDO, studio::redo)
                 .on(Command.REDO_ALSO, studio::redo)
@@ -325,7 +320,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.NEXT, () -> bodies.selectAlong(1))
                 .on(Command.PREVIOUS, () -> bodies.selectAlong(-1))
                 .on(Command.DESELECT, this::backToThePicture)
-                .on(Command.AUTO_EXPOSURE, exposure::setAutomatically);
+                .on(Command.AUTO_EXPOSURE, files.pictures()::setExposure);
     }
 
     private void bindView(CommandActions actions) {
@@ -341,8 +336,8 @@ final class Workbench implements AutoCloseable {
                         this::toggleComparison,
                         comparison().modeProperty().map(mode -> mode != Mode.OFF))
                 .on(Command.CLIPPING, tools.clipping().shownProperty())
-                .on(Command.ZOOM_IN, () -> picture.zoom(ZoomMouse.STEP))
-                .on(Command.ZOOM_OUT, () -> picture.zoom(1 / ZoomMouse.STEP))
+                .on(Command.ZOOM_IN, () -> picture.zoom(PictureZoom.STEP))
+                .on(Command.ZOOM_OUT, () -> picture.zoom(1 / PictureZoom.STEP))
                 .on(Command.ZOOM_TO_FIT, picture::zoomToFit)
                 .on(Command.FRAME, bodies::frameSelected)
                 .on(Command.FRAME_ALSO, bodies::frameSelected)

@@ -3,9 +3,9 @@ package dev.twister.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.Engines;
-import dev.twister.gui.rendering.FilmMotion;
 import dev.twister.gui.rendering.RenderJob;
 import dev.twister.gui.rendering.WindowOrder;
+import dev.twister.gui.rendering.WindowOrder.FilmMotion;
 import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.gui.rendering.WindowOrder.MovingScene;
 import dev.twister.physics.Simulation;

@@ -17,7 +17,7 @@ import java.util.stream.IntStream;
  * color. For tests that need a picture at once and do not read single pixels.
  */
 final class BlockEngine implements Engine {
-    private static final int SIDE = 8;
+    private static final int SIDE = 16;
 
     private static final int CHANNELS = 3;
 
@@ -25,6 +25,7 @@ final class BlockEngine implements Engine {
     private static final long PAUSE_NANOS = 8_000_000;
 
     private final EngineOffer stood = JvmEngines.parallel();
+    private final ThreadLocal<JvmKernel> kernels = ThreadLocal.withInitial(JvmKernel::new);
 
     /** It stands for {@code parallel} by its name. */
     static EngineOffer offer() {
@@ -55,13 +56,14 @@ final class BlockEngine implements Engine {
         }
     }
 
-    private static void drawBlocks(FrameInput input, Frame frame, int firstRow) {
-        JvmKernel kernel = new JvmKernel();
+    private void drawBlocks(FrameInput input, Frame frame, int firstRow) {
+        JvmKernel kernel = kernels.get();
+        FrameStop whole = FrameStop.of(frame);
         int width = frame.width();
         int layers = frame.layerCount();
         int endRow = Math.min(firstRow + SIDE, frame.height());
         for (int column = 0; column < width; column += SIDE) {
-            kernel.drawRow(input, FrameStop.of(frame), firstRow, column, column + 1);
+            kernel.drawRow(input, whole, firstRow, column, column + 1);
             int drawn = width * firstRow + column;
             int columns = Math.min(SIDE, width - column);
             for (int row = firstRow; row < endRow; row++) {

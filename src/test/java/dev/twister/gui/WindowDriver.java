@@ -100,7 +100,7 @@ public final class WindowDriver implements AutoCloseable {
         window = new MainWindow(
                 stage,
                 studio,
-                new WindowOptions(
+                new MainWindow.Options(
                         files,
                         settings,
                         found,
@@ -329,16 +329,12 @@ public final class WindowDriver implements AutoCloseable {
     }
 
     void press(KeyCode... keys) {
-        for (KeyCode key : keys) {
-            run(() -> robot.keyPress(key));
-        }
+        run(() -> List.of(keys).forEach(robot::keyPress));
         pulse();
     }
 
     void release(KeyCode... keys) {
-        for (KeyCode key : keys) {
-            run(() -> robot.keyRelease(key));
-        }
+        run(() -> List.of(keys).forEach(robot::keyRelease));
         pulse();
     }
 
@@ -349,8 +345,9 @@ public final class WindowDriver implements AutoCloseable {
 
     /** A key while others are held. */
     void typeWith(KeyCode key, KeyCode... held) {
-        press(held);
-        type(key);
+        run(() -> List.of(held).forEach(robot::keyPress));
+        press(key);
+        run(() -> robot.keyRelease(key));
         release(held);
     }
 

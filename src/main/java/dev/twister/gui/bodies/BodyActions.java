@@ -88,10 +88,9 @@ public final class BodyActions {
         if (selected.where(body -> BodyEdits.isSolid(studio.scene(), body)).count() == 0) {
             studio.notice("Select a sphere or a mesh to put it on the ground");
         } else {
-            studio.edit(
+            studio.editOnce(
                     "drop to the ground",
                     scene -> BodyEdits.onGround(scene, studio.bodies().meshes(), selected.bodies()));
-            studio.endGesture();
         }
     }
 
@@ -102,8 +101,7 @@ public final class BodyActions {
         if (deleted.count() > 0) {
             String what =
                     deleted.count() == 1 ? BodyEdits.kind(standing, deleted.active()) : deleted.count() + " bodies";
-            studio.edit("delete " + what, scene -> BodyEdits.deleted(scene, deleted.bodies()));
-            studio.endGesture();
+            studio.editOnce("delete " + what, scene -> BodyEdits.deleted(scene, deleted.bodies()));
             if (deleted.count() < selected.count()) {
                 boolean locked = selected.bodies().stream()
                         .anyMatch(body -> TagEdits.of(standing, body).locked());
@@ -177,8 +175,7 @@ public final class BodyActions {
 
     private void place(Scene thrown) {
         if (ThrownSpheres.fit(thrown, studio.scene())) {
-            studio.edit("randomize", scene -> ThrownSpheres.placed(thrown, scene));
-            studio.endGesture();
+            studio.editOnce("randomize", scene -> ThrownSpheres.placed(thrown, scene));
         } else {
             randomize();
         }

@@ -293,10 +293,9 @@ public final class BodyMouse {
                     double meters = PropertyNumbers.FOCUS_DISTANCE
                             .scale()
                             .rounded(PointerRay.focusDistance(picture.input(), place.getX(), place.getY()));
-                    studio.edit(
+                    studio.editOnce(
                             "focus distance",
                             scene -> scene.withCamera(scene.camera().withFocusDistance(meters)));
-                    studio.endGesture();
                     studio.notice(StatusText.focused(studio.scene().camera()));
                 });
     }

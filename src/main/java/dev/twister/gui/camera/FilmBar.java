@@ -2,9 +2,9 @@ package dev.twister.gui.camera;
 
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
-import dev.twister.gui.controls.DropDownKeys;
 import dev.twister.gui.controls.Ids;
 import dev.twister.gui.controls.NumberField;
+import dev.twister.gui.controls.PlainBox;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.edit.KeyframeEdits;
 import dev.twister.gui.studio.Film;
@@ -21,7 +21,6 @@ import javafx.beans.property.ReadOnlyDoubleProperty;
 import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
 import javafx.scene.control.Button;
-import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
@@ -50,7 +49,7 @@ public final class FilmBar extends HBox {
     private final Slider slider = new Slider(0, SHORTEST_SECONDS, 0);
     private final KeyframeMarks marks;
     private final VBox line;
-    private final ComboBox<Listed> list = new ComboBox<>();
+    private final PlainBox<Listed> list;
     private List<CameraKeyframe> shown = List.of();
     private boolean showing;
     private boolean held;
@@ -69,12 +68,6 @@ public final class FilmBar extends HBox {
 
         static Listed none(int count) {
             return new Listed(-1, count == 0 ? "No keyframes" : count + (count == 1 ? " keyframe" : " keyframes"));
-        }
-
-        /** The label. */
-        @Override
-        public String toString() {
-            return label;
         }
     }
 
@@ -123,15 +116,9 @@ public final class FilmBar extends HBox {
             }
         });
         slider.valueChangingProperty().subscribe(_ -> showRange());
-        list.setId("film-list");
+        list = new PlainBox<>("film-list", Listed::label, this::goToListed);
         list.setAccessibleText("Keyframes");
         list.setTooltip(Tooltips.of("The keyframes. Choose one to go to it."));
-        list.valueProperty().subscribe((_, chosen) -> {
-            if (!showing && chosen != null && chosen.index() >= 0) {
-                film.goToKeyframe(chosen.index());
-            }
-        });
-        DropDownKeys.install(list);
         HBox present = new HBox(play, time, new Label("s"));
         present.getStyleClass().add("film-present");
         present.setAlignment(Pos.CENTER_LEFT);
@@ -163,6 +150,10 @@ public final class FilmBar extends HBox {
         showRange();
     }
 
+    private void goToListed() {
+        list.choice().map(Listed::index).filter(index -> index >= 0).ifPresent(film::goToKeyframe);
+    }
+
     private void follow(Scene scene) {
         if (!scene.camera().keyframes().equals(shown) || film.length() != lastSeconds) {
             show();
@@ -187,11 +178,8 @@ public final class FilmBar extends HBox {
         Listed chosen = present.isPresent() ? keyframes.get(present.getAsInt()) : Listed.none(shown.size());
         List<Listed> all = Stream.concat(Stream.of(Listed.none(shown.size())), keyframes.stream())
                 .toList();
-        if (!list.getItems().equals(all)) {
-            list.getSelectionModel().clearSelection();
-            list.getItems().setAll(all);
-        }
-        list.getSelectionModel().select(chosen);
+        list.offer(all, Optional.of(chosen));
+        list.show(chosen);
         delete.setDisable(present.isEmpty());
         marks.show(shown, present);
         showing = false;
@@ -231,10 +219,6 @@ public final class FilmBar extends HBox {
     }
 
     private static Button button(Command command, CommandActions actions) {
-        Button button = new Button(command.label());
-        button.setId("film-" + Ids.of(command.label()));
-        button.setTooltip(Tooltips.of(command));
-        button.setOnAction(_ -> actions.run(command));
-        return button;
+        return actions.button("film-" + Ids.of(command.label()), command);
     }
 }

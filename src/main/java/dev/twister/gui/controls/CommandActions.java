@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.value.ObservableValue;
+import javafx.scene.control.Button;
 
 /** What commands do, and of those that switch something, whether it is on. */
 public final class CommandActions {
@@ -29,6 +30,15 @@ public final class CommandActions {
 
     public void run(Command command) {
         actions.get(command).run();
+    }
+
+    /** A button that runs a command. */
+    public Button button(String id, Command command) {
+        Button button = new Button(command.label());
+        button.setId(id);
+        button.setTooltip(Tooltips.of(command));
+        button.setOnAction(_ -> run(command));
+        return button;
     }
 
     /** Whether what the command switches is on; empty if it switches nothing. */

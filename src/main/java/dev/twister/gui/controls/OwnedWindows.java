@@ -3,19 +3,26 @@ package dev.twister.gui.controls;
 import javafx.event.EventHandler;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Scene;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
 
-/** Where windows open that another one owns. */
+/** Windows that another one owns. */
 public final class OwnedWindows {
     private OwnedWindows() {}
 
     /**
-     * Centers a window over its owner when it is first shown, on the owner's screen: some window managers put it into
-     * the screen's corner, with its title beyond the border.
+     * A window that is not shown yet, and looks like its owner. It is centered over its owner when it is first shown,
+     * on the owner's screen: some window managers put it into the screen's corner, with its title beyond the border.
      */
-    public static void center(Stage stage, Stage owner) {
+    public static Stage create(Stage owner, String title, Scene scene) {
+        Stage stage = new Stage();
+        stage.initOwner(owner);
+        stage.setTitle(title);
+        scene.getStylesheets().setAll(owner.getScene().getStylesheets());
+        stage.setScene(scene);
         // Before it is shown: a window manager may move it back later.
         stage.addEventHandler(WindowEvent.WINDOW_SHOWING, new EventHandler<>() {
             @Override
@@ -24,6 +31,18 @@ public final class OwnedWindows {
                 place(stage, owner);
             }
         });
+        return stage;
+    }
+
+    /** The same, which Escape hides. */
+    public static Stage createHiddenByEscape(Stage owner, String title, Scene scene) {
+        Stage stage = create(owner, title, scene);
+        scene.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE) {
+                stage.hide();
+            }
+        });
+        return stage;
     }
 
     private static void place(Stage stage, Stage owner) {

@@ -89,6 +89,13 @@ public final class BodyEdits {
                         && scene.spheres().size() != other.spheres().size();
     }
 
+    /** Whether bodies of some kind have come or gone. */
+    public static boolean haveOtherCounts(Scene one, Scene other) {
+        return one.lights().count() != other.lights().count()
+                || one.spheres().size() != other.spheres().size()
+                || one.meshes().size() != other.meshes().size();
+    }
+
     /**
      * The body that number of steps on in the round of nothing, all lights, the plane, all spheres and all meshes in
      * their order.

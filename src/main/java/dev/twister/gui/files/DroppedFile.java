@@ -1,13 +1,18 @@
 package dev.twister.gui.files;
 
 import dev.twister.files.InputFile;
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
+import javafx.scene.Scene;
+import javafx.scene.input.TransferMode;
 
 /** Tells what a file is that someone opens or drops on the window, by its first bytes and its name. */
 public final class DroppedFile {
@@ -26,6 +31,26 @@ public final class DroppedFile {
     }
 
     private DroppedFile() {}
+
+    /** Lets a window take files that are dropped on it. */
+    public static void accept(Scene scene, Consumer<List<Path>> dropped) {
+        scene.setOnDragOver(event -> {
+            if (event.getDragboard().hasFiles()) {
+                event.acceptTransferModes(TransferMode.COPY);
+            }
+            event.consume();
+        });
+        scene.setOnDragDropped(event -> {
+            boolean hasFiles = event.getDragboard().hasFiles();
+            if (hasFiles) {
+                dropped.accept(event.getDragboard().getFiles().stream()
+                        .map(File::toPath)
+                        .toList());
+            }
+            event.setDropCompleted(hasFiles);
+            event.consume();
+        });
+    }
 
     /** Reads at most the first {@value #LOOKED_AT} bytes. A file that is gone is what its name says. */
     public static Kind kind(Path file) {

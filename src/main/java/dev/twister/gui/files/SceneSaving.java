@@ -121,8 +121,7 @@ public final class SceneSaving {
         if (!FileNames.absolute(own).equals(FileNames.absolute(copy))) {
             Title original = document.original().title();
             boolean isShipped = shipped.isScene(own);
-            studio.edit("name", scene -> scene.withTitle(copiedTitle(scene.title(), original, copy, isShipped)));
-            studio.endGesture();
+            studio.editOnce("name", scene -> scene.withTitle(copiedTitle(scene.title(), original, copy, isShipped)));
         }
     }
 
@@ -138,8 +137,7 @@ public final class SceneSaving {
     private void saveTo(Path file, EditedFile known, Runnable then) {
         // A sky that the window has drawn is kept beside the scene.
         if (!DaylightFile.movedBeside(file, studio.scene()).equals(studio.scene())) {
-            studio.edit("sky", scene -> DaylightFile.movedBeside(file, scene));
-            studio.endGesture();
+            studio.editOnce("sky", scene -> DaylightFile.movedBeside(file, scene));
         }
         SceneHistory.Version version = document.toSave();
         saving++;

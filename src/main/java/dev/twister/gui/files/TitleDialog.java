@@ -49,8 +49,7 @@ public final class TitleDialog {
             if (ButtonType.OK.equals(dialog.getResult())) {
                 Title entered =
                         new Title(name.getText().strip(), description.getText().strip());
-                studio.edit("name and description", scene -> scene.withTitle(entered));
-                studio.endGesture();
+                studio.editOnce("name and description", scene -> scene.withTitle(entered));
             }
         });
         dialog.show();

@@ -15,15 +15,32 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import javafx.application.Platform;
 import javafx.collections.ListChangeListener;
+import javafx.css.PseudoClass;
+import javafx.event.ActionEvent;
 import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
 import javafx.scene.control.MultipleSelectionModel;
 import javafx.scene.control.SelectionMode;
+import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
 
 /** The list of bodies in their groups; several can be selected, named, hidden and locked. */
-final class BodiesRow extends PanelRow implements OutlineCell.Owner {
+final class BodiesRow extends PanelRow {
+    private static final PseudoClass ON = PseudoClass.getPseudoClass("on");
+
+    /** The id of the field that a name is typed in. */
+    private static final String FIELD = "body-name";
+
+    private static final double HIDDEN_OPACITY = 0.5;
+
     private final Studio studio;
     private final TagActions tags;
     private final ListView<OutlineLine> list = new ListView<>();
@@ -44,7 +61,7 @@ final class BodiesRow extends PanelRow implements OutlineCell.Owner {
         this.tags = tags;
         list.getStyleClass().add("bodies");
         list.getSelectionModel().setSelectionMode(SelectionMode.MULTIPLE);
-        list.setCellFactory(_ -> new OutlineCell(this));
+        list.setCellFactory(_ -> new Cell());
         list.getSelectionModel().getSelectedIndices().addListener((ListChangeListener<Integer>) _ -> takeSoon());
         list.addEventFilter(KeyEvent.KEY_PRESSED, this::pressed);
         addControls(list);
@@ -84,30 +101,27 @@ final class BodiesRow extends PanelRow implements OutlineCell.Owner {
         return list;
     }
 
-    @Override
-    public boolean isRenamed(OutlineLine line) {
+    private boolean isRenamed(OutlineLine line) {
         return renamed.filter(line::equals).isPresent();
     }
 
-    @Override
-    public boolean isFolded(OutlineLine heading) {
+    private boolean isFolded(OutlineLine heading) {
         return folded.contains(heading.tag().group());
     }
 
-    @Override
-    public void startRenaming(OutlineLine line) {
+    private void startRenaming(OutlineLine line) {
         if (line.isHeading() || (line.body() != BodyNumber.NONE && line.body() != BodyNumber.PLANE)) {
             renamed = Optional.of(line);
             list.refresh();
             list.applyCss();
             list.layout();
             // The cell has its field by now.
-            list.lookup("#" + OutlineCell.FIELD).requestFocus();
+            list.lookup("#" + FIELD).requestFocus();
         }
     }
 
-    @Override
-    public void endRenaming(Optional<String> name) {
+    /** Takes a name; empty to leave the old one. */
+    private void endRenaming(Optional<String> name) {
         Optional<OutlineLine> line = renamed;
         renamed = Optional.empty();
         line.ifPresent(of -> name.map(String::strip).ifPresent(typed -> {
@@ -121,18 +135,7 @@ final class BodiesRow extends PanelRow implements OutlineCell.Owner {
         list.requestFocus();
     }
 
-    @Override
-    public void toggleHidden(OutlineLine line) {
-        tags.setHidden(line.bodies(), !line.tag().hidden());
-    }
-
-    @Override
-    public void toggleLocked(OutlineLine line) {
-        tags.setLocked(line.bodies(), !line.tag().locked());
-    }
-
-    @Override
-    public void fold(OutlineLine heading, boolean isFolded) {
+    private void fold(OutlineLine heading, boolean isFolded) {
         String group = heading.tag().group();
         boolean changed = isFolded ? folded.add(group) : folded.remove(group);
         if (changed) {
@@ -193,5 +196,110 @@ final class BodiesRow extends PanelRow implements OutlineCell.Owner {
         studio.selection().select(chosen);
         // The plane can only be selected alone: it loses its mark among others.
         show(studio.scene(), studio.selection().bodies());
+    }
+
+    /** A line of the list of bodies: its name, or the field that it is typed in, a lock and an eye. */
+    private final class Cell extends ListCell<OutlineLine> {
+        private final Label fold = new Label();
+        private final Label name = new Label();
+        private final StackPane lock = button("lock");
+        private final StackPane eye = button("eye");
+        private final HBox line = new HBox(fold, name, lock, eye);
+
+        Cell() {
+            line.getStyleClass().add("outline-line");
+            HBox.setHgrow(name, Priority.ALWAYS);
+            name.setMaxWidth(Double.MAX_VALUE);
+            // A long name is cut, and does not make the list scroll sideways.
+            setPrefWidth(0);
+            setOnMouseClicked(event -> {
+                if (event.getClickCount() == 2 && !isEmpty() && !isRenamed(getItem())) {
+                    startRenaming(getItem());
+                }
+            });
+            // What the field leaves of plain keys is no command.
+            addEventHandler(KeyEvent.KEY_PRESSED, event -> {
+                if (!event.isShortcutDown()
+                        && !event.isAltDown()
+                        && !event.getCode().isFunctionKey()) {
+                    event.consume();
+                }
+            });
+            on(lock, () -> tags.setLocked(getItem().bodies(), !getItem().tag().locked()));
+            on(eye, () -> tags.setHidden(getItem().bodies(), !getItem().tag().hidden()));
+            on(fold, () -> BodiesRow.this.fold(getItem(), !isFolded(getItem())));
+        }
+
+        private static StackPane button(String style) {
+            Region icon = new Region();
+            icon.getStyleClass().add(style);
+            StackPane button = new StackPane(icon);
+            button.getStyleClass().add("outline-button");
+            return button;
+        }
+
+        /** A click on the part does that, and selects nothing. */
+        private void on(Region part, Runnable action) {
+            part.addEventFilter(MouseEvent.ANY, event -> {
+                boolean button = !part.equals(fold) || getItem().isHeading();
+                if (button && event.getEventType() == MouseEvent.MOUSE_PRESSED) {
+                    action.run();
+                }
+                if (button) {
+                    event.consume();
+                }
+            });
+        }
+
+        @Override
+        protected void updateItem(OutlineLine item, boolean empty) {
+            super.updateItem(item, empty);
+            if (empty || item == null) {
+                setGraphic(null);
+            } else if (isRenamed(item)) {
+                setGraphic(field(item));
+            } else {
+                show(item);
+                setGraphic(line);
+            }
+        }
+
+        private void show(OutlineLine item) {
+            boolean tagged = item.isHeading() || item.body() != BodyNumber.PLANE;
+            String arrow = isFolded(item) ? "▸ " : "▾ ";
+            String indent = item.isInGroup() ? "    " : "";
+            fold.setText(item.isHeading() ? arrow : indent);
+            name.setText(item.text());
+            name.setOpacity(item.tag().hidden() ? HIDDEN_OPACITY : 1);
+            lock.setVisible(tagged);
+            eye.setVisible(tagged);
+            lock.pseudoClassStateChanged(ON, item.tag().locked());
+            eye.pseudoClassStateChanged(ON, !item.tag().hidden());
+            lock.setAccessibleText("Lock " + item.text());
+            eye.setAccessibleText("Hide " + item.text());
+        }
+
+        private TextField field(OutlineLine item) {
+            TextField field = new TextField(
+                    item.isHeading() ? item.tag().group() : item.tag().name());
+            field.setPromptText(item.text());
+            field.setId(FIELD);
+            field.addEventHandler(ActionEvent.ACTION, event -> {
+                endRenaming(Optional.of(field.getText()));
+                event.consume();
+            });
+            field.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+                if (event.getCode() == KeyCode.ESCAPE) {
+                    endRenaming(Optional.empty());
+                    event.consume();
+                }
+            });
+            field.focusedProperty().subscribe((_, focused) -> {
+                if (!focused && isRenamed(item)) {
+                    endRenaming(Optional.of(field.getText()));
+                }
+            });
+            return field;
+        }
     }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.ListCell;
@@ -81,6 +82,11 @@ public final class ChoiceRow<T> extends PanelRow {
             box.show();
         }
         setReset(!chosen.equals(usual), () -> choose.accept(usual));
+    }
+
+    /** Shows a value among these items from now on, whenever it changes. */
+    void follow(ObservableValue<T> value, List<T> things, T usual) {
+        value.subscribe(now -> show(things, now, usual));
     }
 
     @Override

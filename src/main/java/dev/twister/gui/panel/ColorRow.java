@@ -5,6 +5,7 @@ import dev.twister.gui.property.ScreenColor;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.property.Row;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
@@ -38,18 +39,12 @@ final class ColorRow extends PanelRow {
      * @param reader reads the color of a scene, each channel in [0, 1]
      * @param writer returns the scene with another color
      */
-    ColorRow(
-            String label,
-            String hint,
-            String key,
-            Studio studio,
-            Function<Scene, Rgb> reader,
-            BiFunction<Scene, Rgb, Scene> writer) {
-        super(label, hint, key);
+    ColorRow(Row text, Studio studio, Function<Scene, Rgb> reader, BiFunction<Scene, Rgb, Scene> writer) {
+        super(text.label(), text.hint(), text.keys());
         this.reader = reader;
         this.writer = writer;
         this.studio = studio;
-        what = label.toLowerCase(Locale.ROOT);
+        what = text.label().toLowerCase(Locale.ROOT);
         picker.valueProperty().subscribe((_, color) -> {
             if (!showing) {
                 write(ScreenColor.linear(

@@ -58,9 +58,7 @@ final class LightSection {
                 PropertyNumbers.ofLight(property, () -> shown).map(number -> PropertyRow.of(property, number, studio));
         if (property.equals(LightProperties.COLOR)) {
             ColorRow color = new ColorRow(
-                    property.row().label(),
-                    property.row().hint(),
-                    property.row().keys(),
+                    property.row(),
                     studio,
                     scene -> Radiance.of(
                                     DerivedNumbers.light(scene, () -> shown).color())

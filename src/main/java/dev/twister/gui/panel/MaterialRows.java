@@ -1,13 +1,15 @@
 package dev.twister.gui.panel;
 
+import dev.twister.gui.controls.Ids;
+import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyMaterials;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.BodyTitles;
 import dev.twister.gui.edit.MaterialPreset;
 import dev.twister.gui.edit.SelectedBodies;
-import dev.twister.gui.edit.SharedMaterial;
 import dev.twister.gui.files.AssetActions;
+import dev.twister.gui.files.FileNames;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.property.DerivedNumbers;
 import dev.twister.gui.studio.Studio;
@@ -24,8 +26,13 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
+import javafx.scene.control.Button;
+import javafx.scene.image.Image;
+import javafx.scene.image.ImageView;
+import javafx.scene.layout.StackPane;
 
 /** The rows of one body's material. A reset leads to the material at the time of the selection. */
 final class MaterialRows {
@@ -52,7 +59,7 @@ final class MaterialRows {
     /** The scene for which {@link #shared} and {@link #images} hold. */
     private Scene known;
 
-    private Optional<SharedMaterial> shared;
+    private Optional<BodyMaterials.Shared> shared;
     private List<Optional<Path>> images;
 
     /** Rows for the plane, a sphere, or a mesh that has a material of its own. */
@@ -63,7 +70,7 @@ final class MaterialRows {
         selected = SelectedBodies.of(body);
         before = studio.scene();
         known = before;
-        shared = SharedMaterial.of(before, body);
+        shared = BodyMaterials.Shared.of(before, body);
         images = images(before);
         preset = new ChoiceRow<>(
                 "Preset",
@@ -126,7 +133,7 @@ final class MaterialRows {
         Scene scene = studio.scene();
         if (!BodyMaterials.areSame(scene, known)) {
             known = scene;
-            shared = shared.filter(named -> named.isIn(scene)).or(() -> SharedMaterial.of(scene, body));
+            shared = shared.filter(named -> named.isIn(scene)).or(() -> BodyMaterials.Shared.of(scene, body));
             images = images(scene);
         }
         Material now = material(scene);
@@ -153,8 +160,7 @@ final class MaterialRows {
     }
 
     private void edit(String what, UnaryOperator<Material> edit) {
-        studio.edit(what, scene -> edited(scene, edit));
-        studio.endGesture();
+        studio.editOnce(what, scene -> edited(scene, edit));
     }
 
     /** Only meshes are cut out, and the plane cannot emit. */
@@ -194,27 +200,39 @@ final class MaterialRows {
     }
 
     private PropertyRow image(Property<Scene, Optional<Path>> property) {
-        ImageRow row = new ImageRow(
-                property.row(),
-                new ImageRow.Actions(
-                        file -> assets.readTexture(file, () -> set(property, Optional.of(file)), this::show),
-                        () -> set(property, Optional.empty()),
-                        use -> assets.chooseTexture(property.getter().apply(studio.scene()), use),
-                        studio::notice));
+        Row text = property.row();
+        Consumer<Path> use = file -> assets.readTexture(file, () -> set(property, Optional.of(file)), this::show);
+        ChoiceRow<Optional<Path>> row = new ChoiceRow<>(
+                text.label(),
+                text.hint(),
+                text.keys(),
+                file -> {
+                    String name = file.map(FileNames::name).orElse("None");
+                    return new Look(name, name, file.map(Path::toString).orElse(""), Optional.empty());
+                },
+                file -> file.ifPresentOrElse(use, () -> set(property, Optional.empty())),
+                studio::notice);
+        Thumbnail thumbnail = new Thumbnail();
+        row.addControl(thumbnail);
+        Button other = new Button("Other…");
+        other.setId("other-" + Ids.of(text.label()));
+        other.setTooltip(Tooltips.of("Chooses an image file: .png, .jpg or .webp."));
+        other.setOnAction(_ -> assets.chooseTexture(property.getter().apply(studio.scene()), use));
+        row.addControl(other);
         return new PropertyRow(
-                row.row(),
-                (scene, usual) -> row.show(
-                        images,
-                        property.getter().apply(scene),
-                        property.getter().apply(usual)),
-                property.row().only());
+                row,
+                (scene, usual) -> {
+                    Optional<Path> chosen = property.getter().apply(scene);
+                    row.show(images, chosen, property.getter().apply(usual));
+                    thumbnail.show(chosen);
+                },
+                text.only());
     }
 
     private void set(Property<Scene, Optional<Path>> property, Optional<Path> file) {
-        studio.edit(
+        studio.editOnce(
                 property.row().label().toLowerCase(Locale.ROOT),
                 scene -> property.wither().apply(scene, file));
-        studio.endGesture();
     }
 
     /** No image, those of the scene, and those at the time of the selection. */
@@ -226,5 +244,31 @@ final class MaterialRows {
                                 .sorted()
                                 .map(Optional::of))
                 .toList();
+    }
+
+    /** A small copy of an image; without one it takes no room. */
+    private static final class Thumbnail extends StackPane {
+        private static final double SIDE = 22;
+
+        private final ImageView view = new ImageView();
+        private Optional<Path> pictured = Optional.empty();
+
+        Thumbnail() {
+            view.setFitWidth(SIDE);
+            view.setFitHeight(SIDE);
+            view.setPreserveRatio(true);
+            getChildren().add(view);
+        }
+
+        void show(Optional<Path> chosen) {
+            if (!chosen.equals(pictured)) {
+                pictured = chosen;
+                // In the background, and empty where JavaFX does not know the format.
+                view.setImage(
+                        chosen.map(file -> new Image(file.toUri().toString(), 2 * SIDE, 2 * SIDE, true, true, true))
+                                .orElse(null));
+            }
+            view.setManaged(chosen.isPresent());
+        }
     }
 }

@@ -85,11 +85,10 @@ final class MaterialSection extends VBox {
 
     private void setOwn(boolean on) {
         int mesh = body;
-        studio.edit(
+        studio.editOnce(
                 on ? "own material" : "file's materials",
                 scene -> on
                         ? BodyMaterials.with(scene, mesh, studio.bodies().fileMaterial(mesh))
                         : BodyMaterials.withFiles(scene, mesh));
-        studio.endGesture();
     }
 }

@@ -2,7 +2,6 @@ package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
-import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.drawing.ResolutionMode;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyNumber;
@@ -17,9 +16,6 @@ import dev.twister.gui.studio.Denoising;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
 import dev.twister.gui.studio.TagActions;
-import dev.twister.scene.Scene;
-import dev.twister.scene.property.BodyProperties;
-import dev.twister.scene.property.Property;
 import dev.twister.world.StageOrView;
 import java.nio.file.Path;
 import java.util.List;
@@ -27,13 +23,16 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
 import javafx.css.PseudoClass;
+import javafx.event.ActionEvent;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
+import javafx.scene.Scene;
 import javafx.scene.control.Button;
 import javafx.scene.control.ScrollPane;
+import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
-import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
@@ -44,19 +43,11 @@ public final class Panel extends ScrollPane {
     /** Width of the window from which the panel is wider, in heights of the text. */
     private static final double WIDE_EM = 130;
 
-    private final EngineSection engine;
-    private final CompareSection compare;
-    private final List<PropertyRow> plane;
     private final List<PanelSection> sections;
-    private final PictureSection picture;
     private final PanelSection pictureSection;
     private final HistogramView histogram;
-    private final CameraSection camera;
-    private final LightSection light;
     private final SkySection sky;
-    private final PhysicsSection physics;
     private final SelectionSection selection;
-    private final MaterialSection material;
 
     /** What is to be scrolled to once the panel is shown. */
     private Optional<Region> sought = Optional.empty();
@@ -70,46 +61,30 @@ public final class Panel extends ScrollPane {
             TagActions tags,
             BackgroundTasks tasks,
             CommandActions actions) {
-        engine = new EngineSection(
-                studio, engines, studio.engineProperty().get().offer().id());
-        compare = new CompareSection(studio, engines, comparison);
-        picture = new PictureSection(studio, tasks, clippingShown);
         histogram = new HistogramView(studio, actions);
-        camera = new CameraSection(studio);
-        light = new LightSection(studio);
         sky = new SkySection(studio, assets);
-        plane = PropertyRow.following(Property.within(BodyProperties.PLANE, Scene::ground, Scene::withGround), studio);
-        physics = new PhysicsSection(studio, actions);
         selection = new SelectionSection(studio, tags);
-        material = new MaterialSection(studio, assets);
-        Button reset = new Button("Reset everything");
-        reset.setId("reset-everything");
-        reset.setTooltip(Tooltips.of(
-                Command.RESET.hint() + "\nKey: " + Command.RESET.keys().getDisplayText()));
-        reset.setOnAction(_ -> actions.run(Command.RESET));
-        PanelSection physicsSection = section("Physics", physics.rows());
-        physicsSection.add(physics.buttons());
-        pictureSection = section("Picture", picture.rows());
-        pictureSection.add(histogram);
-        PanelSection lightSection = section("Light", light.rows());
-        PanelSection planeSection = section("Plane", rows(plane));
-        planeSection.add(selectPlane(studio));
+        MaterialSection material = new MaterialSection(studio, assets);
+        Button reset = actions.button("reset-everything", Command.RESET);
+        pictureSection = DrawingSections.picture(studio, tasks, clippingShown, histogram);
+        PanelSection lightSection = new PanelSection("Light", new LightSection(studio).rows());
         PanelSection selectionSection = new PanelSection("Selection", selection.bodies(), selection);
         PanelSection materialSection = new PanelSection("Material", material);
         materialSection.visibleProperty().bind(material.visibleProperty());
         materialSection.managedProperty().bind(material.visibleProperty());
         sections = List.of(
-                section("Drawing", engine.rows()),
+                DrawingSections.drawing(
+                        studio, engines, studio.engineProperty().get().offer().id()),
                 pictureSection,
                 selectionSection,
                 materialSection,
-                section("Camera", camera.rows()),
+                SceneSections.camera(studio),
                 new PanelSection("Views", new ViewList(studio)),
                 lightSection,
-                section("Sky", sky.rows()),
-                planeSection,
-                physicsSection,
-                section("Compare", compare.rows()));
+                new PanelSection("Sky", sky.rows()),
+                SceneSections.plane(studio),
+                SceneSections.physics(studio, actions),
+                DrawingSections.compare(studio, engines, comparison));
         VBox all = new VBox(sections.toArray(PanelSection[]::new));
         all.getChildren().add(reset);
         all.getStyleClass().add("sections");
@@ -138,51 +113,57 @@ public final class Panel extends ScrollPane {
 
     /** All rows in their order. */
     public List<PanelRow> rows() {
-        return Stream.of(
-                        engine.rows(),
-                        picture.rows(),
-                        selection.rows(),
-                        material.rows(),
-                        camera.rows(),
-                        light.rows(),
-                        sky.rows(),
-                        rows(plane),
-                        physics.rows(),
-                        compare.rows())
-                .flatMap(List::stream)
-                .toList();
+        return sections.stream().flatMap(PanelSection::rows).toList();
     }
 
-    private static List<PanelRow> rows(List<PropertyRow> rows) {
-        return rows.stream().map(PropertyRow::row).toList();
-    }
-
-    private static HBox selectPlane(Studio studio) {
-        Button select = new Button("Colors and material…");
-        select.setId("select-plane");
-        select.setTooltip(Tooltips.of("Selects the plane, so that Material shows its colors and reflectivity."));
-        select.setOnAction(_ -> studio.selection().select(BodyNumber.PLANE));
-        HBox buttons = new HBox(select);
-        buttons.getStyleClass().add("buttons");
-        return buttons;
+    private Stream<NumberRow> numbers() {
+        return rows().stream().filter(NumberRow.class::isInstance).map(NumberRow.class::cast);
     }
 
     /** Enters typed numbers; returns false and tells why if one is not allowed. */
     public boolean takeTyped() {
-        return rows().stream()
-                .filter(NumberRow.class::isInstance)
-                .map(NumberRow.class::cast)
-                .filter(NumberRow::isBeingTyped)
-                .allMatch(NumberRow::takeTyped);
+        return numbers().filter(NumberRow::isBeingTyped).allMatch(NumberRow::takeTyped);
     }
 
-    /** Whether the text of a row's field was entered. */
-    boolean isTaken(TextField field) {
-        return rows().stream()
-                .filter(NumberRow.class::isInstance)
-                .map(NumberRow.class::cast)
-                .filter(row -> field.getParent() == row)
-                .noneMatch(NumberRow::isBeingTyped);
+    /**
+     * Lets Enter lead back to the picture, after a number is entered or a slider moved.
+     *
+     * @param toPicture gives the picture the focus
+     */
+    public void leadBack(Runnable toPicture) {
+        addEventHandler(ActionEvent.ACTION, event -> {
+            if (event.getTarget() instanceof TextField field && isTaken(field)) {
+                toPicture.run();
+            }
+        });
+        addEventHandler(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ENTER && event.getTarget() instanceof Slider) {
+                toPicture.run();
+                event.consume();
+            }
+        });
+    }
+
+    private boolean isTaken(TextField field) {
+        return numbers().filter(row -> field.getParent() == row).noneMatch(NumberRow::isBeingTyped);
+    }
+
+    /**
+     * Lets the keys of rows lead to them, before a window's controls get them.
+     *
+     * @param show shows the panel
+     */
+    public void followKeys(Scene scene, Runnable show) {
+        scene.addEventFilter(
+                KeyEvent.KEY_PRESSED,
+                event -> rows().stream()
+                        .filter(row -> row.keys().match(event))
+                        .findFirst()
+                        .ifPresent(row -> {
+                            show.run();
+                            reveal(row);
+                            event.consume();
+                        }));
     }
 
     /** Called in every pulse: updates what changes without edits. */
@@ -200,13 +181,8 @@ public final class Panel extends ScrollPane {
         sky.offer(panoramas);
     }
 
-    /** The row that has the key of an event. */
-    Optional<PanelRow> rowOf(KeyEvent event) {
-        return rows().stream().filter(row -> row.keys().match(event)).findFirst();
-    }
-
     /** Scrolls to a row and gives it the focus. */
-    void reveal(PanelRow row) {
+    private void reveal(PanelRow row) {
         sections.stream().filter(section -> contains(section, row)).forEach(section -> section.fold(false));
         scrollTo(row);
         getScene().getWindow().requestFocus();
@@ -259,13 +235,12 @@ public final class Panel extends ScrollPane {
     public static void resetAll(Studio studio, BackgroundTasks tasks, EngineList engines, String usualEngine) {
         // First, because an edit of moving bodies keeps their places.
         studio.motion().setOn(false);
-        studio.edit(
+        studio.editOnce(
                 "everything",
                 scene -> studio.document()
                         .original()
                         .withCamera(CameraRig.of(studio.document().original().camera())
                                 .on(scene.camera())));
-        studio.endGesture();
         studio.cameraControl().goHome();
         studio.setResolution(ResolutionMode.WINDOW);
         studio.setShown(StageOrView.BEAUTY);
@@ -277,9 +252,5 @@ public final class Panel extends ScrollPane {
         if (!studio.engineProperty().get().offer().id().equals(usualEngine)) {
             engines.find(usualEngine).ifPresent(studio::chooseEngine);
         }
-    }
-
-    private static PanelSection section(String heading, List<PanelRow> rows) {
-        return new PanelSection(heading, rows.toArray(PanelRow[]::new));
     }
 }

@@ -1,7 +1,9 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
+import java.util.List;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javafx.css.PseudoClass;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
@@ -16,6 +18,11 @@ public final class PanelSection extends VBox {
     private final Label label;
     private final VBox content;
     private Consumer<Boolean> whenFolded = _ -> {};
+
+    /** A section of rows, and of what is below them. */
+    PanelSection(String heading, List<PanelRow> rows, Node... below) {
+        this(heading, Stream.concat(rows.stream(), Stream.of(below)).toArray(Node[]::new));
+    }
 
     public PanelSection(String heading, Node... rows) {
         this.heading = heading;
@@ -33,9 +40,17 @@ public final class PanelSection extends VBox {
         return heading;
     }
 
-    /** Adds a node below the rows. */
-    void add(Node node) {
-        content.getChildren().add(node);
+    /** Its rows, also those in parts of it, in their order. */
+    Stream<PanelRow> rows() {
+        return rows(content);
+    }
+
+    private static Stream<PanelRow> rows(Node node) {
+        return switch (node) {
+            case PanelRow row -> Stream.of(row);
+            case VBox part -> part.getChildren().stream().flatMap(PanelSection::rows);
+            default -> Stream.empty();
+        };
     }
 
     /** Makes a click on the heading fold or unfold the rows. */

@@ -1,5 +1,6 @@
 package dev.twister.gui.panel;
 
+import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.files.WindowSettings;
 import java.util.EnumSet;
@@ -9,17 +10,24 @@ import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.value.ObservableValue;
 import javafx.event.Event;
+import javafx.scene.Cursor;
 import javafx.scene.Node;
 import javafx.scene.Scene;
+import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
 
-/** The window of the panel while it floats; closing it docks the panel. */
+/**
+ * Where the panel is: beside the picture, with an edge that sets its width, or in a window of its own, whose closing
+ * docks it.
+ */
 public final class PanelWindow {
     private static final double WIDTH = 440;
     private static final double HEIGHT = 700;
@@ -53,7 +61,7 @@ public final class PanelWindow {
      * The window, which is not shown yet.
      *
      * @param owner the main window
-     * @param side holds the panel while it is docked, as the last child
+     * @param side holds the panel, and is to hold it and its edge while it is docked
      * @param picture of the main window
      */
     public PanelWindow(Stage owner, Panel panel, Pane side, Node picture, SettingsKeeper settings) {
@@ -63,6 +71,7 @@ public final class PanelWindow {
         this.picture = picture;
         this.settings = settings;
         docked = floating.not().and(panel.visibleProperty());
+        side.getChildren().addFirst(new Edge(panel, docked, settings));
         holder.setId("panel-window");
         stage.initOwner(owner);
         stage.setTitle("Panel – Twister");
@@ -157,6 +166,57 @@ public final class PanelWindow {
             // The picture takes keys of its own, while bodies are moved by them.
             boolean toPicture = picture.equals(owner.getScene().getFocusOwner());
             Event.fireEvent(toPicture ? picture : owner.getScene().getRoot(), event);
+        }
+    }
+
+    /** The panel's left edge: a drag makes the panel wider or narrower, a double click as wide as usual. */
+    private static final class Edge extends Region {
+        private static final double WIDTH = 5;
+
+        /** The width left for the picture. */
+        private static final double LEAST_PICTURE = 240;
+
+        private final Region panel;
+        private double grip;
+
+        /** @param docked whether the panel is shown beside it */
+        Edge(Region panel, ObservableValue<Boolean> docked, SettingsKeeper settings) {
+            this.panel = panel;
+            setId("panel-edge");
+            getStyleClass().add("panel-edge");
+            setMinWidth(WIDTH);
+            setPrefWidth(WIDTH);
+            setCursor(Cursor.H_RESIZE);
+            visibleProperty().bind(docked);
+            managedProperty().bind(docked);
+            Tooltip.install(
+                    this, Tooltips.of("Drag to make the panel wider or narrower; double-click for its usual width."));
+            setOnMousePressed(event -> grip = panel.getWidth() + event.getSceneX());
+            setOnMouseDragged(this::dragged);
+            setOnMouseReleased(_ -> {
+                int width = settings.settings().get(WindowSettings.PANEL_WIDTH);
+                int now = (int) Math.rint(panel.getPrefWidth());
+                if (!panel.getStyle().isEmpty() && now != width) {
+                    settings.change(kept -> kept.with(WindowSettings.PANEL_WIDTH, now));
+                }
+            });
+            setOnMouseClicked(event -> {
+                if (event.getClickCount() > 1) {
+                    show(WindowSettings.USUAL_PANEL);
+                    settings.change(kept -> kept.with(WindowSettings.PANEL_WIDTH, WindowSettings.USUAL_PANEL));
+                }
+            });
+            show(settings.settings().get(WindowSettings.PANEL_WIDTH));
+        }
+
+        private void dragged(MouseEvent event) {
+            double most = Math.max(panel.getMinWidth(), getScene().getWidth() - LEAST_PICTURE);
+            show((int) Math.rint(Math.clamp(grip - event.getSceneX(), Math.max(0, panel.getMinWidth()), most)));
+        }
+
+        /** As an inline style, which the style sheet's own width does not replace. */
+        private void show(int width) {
+            panel.setStyle(width == WindowSettings.USUAL_PANEL ? "" : "-fx-pref-width: " + width + "px;");
         }
     }
 }

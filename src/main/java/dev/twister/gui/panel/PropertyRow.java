@@ -15,11 +15,15 @@ import dev.twister.scene.property.PropertyType.Choice;
 import dev.twister.scene.property.PropertyType.Color;
 import dev.twister.scene.property.PropertyType.Flag;
 import dev.twister.scene.property.PropertyType.LayerName;
+import dev.twister.scene.property.Row;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
+import javafx.scene.Node;
+import javafx.scene.control.TextField;
 
 /**
  * A row of the table of properties.
@@ -37,16 +41,16 @@ record PropertyRow(PanelRow row, BiConsumer<Scene, Scene> follow, Optional<Integ
     }
 
     /** The same, which show the scene, and lead back to the one that was opened. */
-    static List<PropertyRow> following(List<Property<Scene, ?>> properties, Studio studio) {
+    static List<PanelRow> following(List<Property<Scene, ?>> properties, Studio studio) {
         return follow(of(properties, studio), studio);
     }
 
-    static List<PropertyRow> follow(List<PropertyRow> rows, Studio studio) {
+    static List<PanelRow> follow(List<PropertyRow> rows, Studio studio) {
         Runnable show = () ->
                 rows.forEach(row -> row.show(studio.scene(), studio.document().original()));
         studio.sceneProperty().subscribe(_ -> show.run());
         studio.document().originalProperty().subscribe(_ -> show.run());
-        return rows;
+        return rows.stream().map(PropertyRow::row).toList();
     }
 
     @SuppressWarnings("unchecked") // a property's values are of its type
@@ -107,13 +111,7 @@ record PropertyRow(PanelRow row, BiConsumer<Scene, Scene> follow, Optional<Integ
     }
 
     private static PropertyRow text(Property<Scene, String> property, Studio studio) {
-        TextRow row = new TextRow(
-                property.row().label(),
-                property.row().hint(),
-                LightGroup::isName,
-                "at most " + LightGroup.MAX_NAME_LENGTH + " letters, digits, hyphens and underscores",
-                text -> set(property, text, studio),
-                studio::notice);
+        NameRow row = new NameRow(property.row(), text -> set(property, text, studio), studio::notice);
         return of(
                 property,
                 row,
@@ -124,9 +122,7 @@ record PropertyRow(PanelRow row, BiConsumer<Scene, Scene> follow, Optional<Integ
     /** What is brighter than a screen can show keeps its brightness when its color is chosen. */
     private static PropertyRow color(Property<Scene, Rgb> property, Studio studio) {
         ColorRow row = new ColorRow(
-                property.row().label(),
-                property.row().hint(),
-                property.row().keys(),
+                property.row(),
                 studio,
                 scene -> shown(property.getter().apply(scene)),
                 (scene, rgb) -> property.wither()
@@ -149,10 +145,9 @@ record PropertyRow(PanelRow row, BiConsumer<Scene, Scene> follow, Optional<Integ
     }
 
     private static <V> void set(Property<Scene, V> property, V value, Studio studio) {
-        studio.edit(
+        studio.editOnce(
                 property.row().label().toLowerCase(Locale.ROOT),
                 scene -> property.wither().apply(scene, value));
-        studio.endGesture();
     }
 
     private static String label(Object value) {
@@ -165,5 +160,61 @@ record PropertyRow(PanelRow row, BiConsumer<Scene, Scene> follow, Optional<Integ
                 yield name.charAt(0) + name.substring(1).toLowerCase(Locale.ROOT);
             }
         };
+    }
+
+    /** A row for the name of a layer. */
+    private static final class NameRow extends PanelRow {
+        private final TextField field = new TextField();
+        private final Consumer<String> choose;
+        private final Consumer<String> complain;
+        private String shown = "";
+
+        /**
+         * A row that is empty until {@link #show}.
+         *
+         * @param choose called when a person has entered another, allowed name
+         * @param complain called with a message about any other text
+         */
+        NameRow(Row row, Consumer<String> choose, Consumer<String> complain) {
+            super(row.label(), row.hint(), "");
+            this.choose = choose;
+            this.complain = complain;
+            field.setOnAction(_ -> take());
+            field.focusedProperty().subscribe(focused -> {
+                if (!focused) {
+                    take();
+                }
+            });
+            addControls(field);
+        }
+
+        /** Shows what is, and what a reset would lead to. */
+        void show(String text, String usual) {
+            if (!text.equals(shown) || !field.isFocused()) {
+                shown = text;
+                field.setText(text);
+            }
+            setReset(!text.equals(usual), () -> choose.accept(usual));
+        }
+
+        @Override
+        public Node firstControl() {
+            return field;
+        }
+
+        private void take() {
+            String typed = field.getText().strip();
+            if (typed.equals(shown)) {
+                return;
+            }
+            if (LightGroup.isName(typed)) {
+                shown = typed;
+                choose.accept(typed);
+            } else {
+                complain.accept(name() + " is '" + typed + "', but must be at most " + LightGroup.MAX_NAME_LENGTH
+                        + " letters, digits, hyphens and underscores");
+                field.setText(shown);
+            }
+        }
     }
 }

@@ -247,13 +247,12 @@ final class SelectionSection extends VBox {
         }
 
         private void choose(Studio studio, String chosen) {
-            studio.edit(
+            studio.editOnce(
                     "animation",
                     scene -> chosen.isEmpty()
                             ? BodyEdits.editedMesh(
                                     untracked(scene), clips.body(), mesh -> mesh.withAnimation(MeshAnimation.NONE))
                             : ofBody(NAME).wither().apply(scene, chosen));
-            studio.endGesture();
             if (!chosen.isEmpty()) {
                 studio.film().shownProperty().set(true);
             }

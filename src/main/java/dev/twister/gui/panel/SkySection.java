@@ -18,7 +18,7 @@ import javafx.scene.control.Button;
 final class SkySection {
     private final Studio studio;
     private final ChoiceRow<Path> sky;
-    private final List<PropertyRow> rows;
+    private final List<PanelRow> rows;
     private final List<NumberRow> daylight;
     private final Button other = new Button("Other…");
     private List<Path> known = List.of();
@@ -49,7 +49,7 @@ final class SkySection {
     }
 
     List<PanelRow> rows() {
-        return Stream.of(Stream.of(sky), rows.stream().map(PropertyRow::row), daylight.stream())
+        return Stream.of(Stream.of(sky), rows.stream(), daylight.stream())
                 .<PanelRow>flatMap(all -> all)
                 .toList();
     }

@@ -1,6 +1,7 @@
 package dev.twister.gui.panel;
 
 import java.util.function.Consumer;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
 import javafx.scene.control.CheckBox;
 
@@ -26,6 +27,11 @@ final class SwitchRow extends PanelRow {
         box.setSelected(on);
         box.setText(on ? "on" : "off");
         setReset(on != usual, () -> choose.accept(usual));
+    }
+
+    /** Shows from now on whether it is on, whenever that changes. */
+    void follow(ObservableValue<Boolean> on, boolean usual) {
+        on.subscribe(now -> show(now, usual));
     }
 
     @Override

@@ -155,8 +155,7 @@ final class ViewList extends VBox {
 
     private void edit(String what, UnaryOperator<Scene> change) {
         studio.endGesture();
-        studio.edit(what, change);
-        studio.endGesture();
+        studio.editOnce(what, change);
     }
 
     private void startRenaming() {

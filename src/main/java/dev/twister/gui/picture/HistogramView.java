@@ -40,7 +40,6 @@ public final class HistogramView extends VBox {
     private final Studio studio;
     private final Canvas canvas = new Canvas();
     private final Label clipped = new Label();
-    private final Button auto = new Button(Command.AUTO_EXPOSURE.label());
     private long drawnNanos;
     private long drawnPicture = -1;
     private double drawnWidth;
@@ -61,10 +60,8 @@ public final class HistogramView extends VBox {
                 "White: a channel is at 255, and what was brighter is lost. Black: all" + " channels are at 0."));
         clipped.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(clipped, Priority.ALWAYS);
-        auto.setId("auto-exposure");
+        Button auto = actions.button("auto-exposure", Command.AUTO_EXPOSURE);
         auto.setMinWidth(USE_PREF_SIZE);
-        auto.setTooltip(Tooltips.of(Command.AUTO_EXPOSURE));
-        auto.setOnAction(_ -> actions.run(Command.AUTO_EXPOSURE));
         studio.shownProperty().subscribe(shown -> auto.setDisable(!shown.isColor()));
         HBox below = new HBox(clipped, auto);
         below.getStyleClass().add("row");

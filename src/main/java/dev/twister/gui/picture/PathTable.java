@@ -7,6 +7,7 @@ import dev.twister.explain.PathStep.Scattering;
 import dev.twister.explain.PathStep.ShadedSurface;
 import dev.twister.explain.PixelPath;
 import dev.twister.gui.controls.Tooltips;
+import dev.twister.gui.picture.PixelInspector.PixelReading;
 import dev.twister.scene.Rgb;
 import java.util.List;
 import java.util.Locale;

@@ -1,9 +1,12 @@
 package dev.twister.gui.picture;
 
+import dev.twister.engine.AutoExposure;
+import dev.twister.engine.ExposureMeter;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.files.FileChoice;
 import dev.twister.gui.files.FileNames;
+import dev.twister.gui.property.PropertyNumbers;
 import dev.twister.gui.studio.BackgroundTasks;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.ExrPicture.ExrChannel;
@@ -17,11 +20,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 
-/** Keeps what is shown: screenshots, and recordings frame by frame. */
+/** What is done with the picture that is shown: screenshots, recordings frame by frame, and the exposure by it. */
 public final class PictureActions implements AutoCloseable {
     private final Studio studio;
     private final FileChoice choice;
@@ -70,6 +74,45 @@ public final class PictureActions implements AutoCloseable {
                     written -> studio.notice("Saved " + written),
                     problem -> dialogs.complain("Couldn't save the picture", Dialogs.explain(problem)));
         });
+    }
+
+    /** Sets the exposure by the picture that is shown, once. */
+    public void setExposure() {
+        studio.pictureProperty().get().ifPresent(picture -> {
+            if (picture.request().shown().isColor()) {
+                measure(picture);
+            } else {
+                studio.notice(HistogramView.without(picture.request().shown()));
+            }
+        });
+    }
+
+    private void measure(DrawnPicture picture) {
+        long document = studio.document().number();
+        boolean srgb = studio.scene().rendering().srgb();
+        CompletableFuture<Optional<float[]>> gathered = studio.radiance(picture);
+        tasks.run(
+                // A picture that was not refined has kept no radiance.
+                () -> gathered.join()
+                        .map(radiance -> AutoExposure.stops(radiance, srgb))
+                        .orElseGet(() -> ExposureMeter.stops(picture.input())),
+                stops -> {
+                    if (studio.document().number() == document) {
+                        setExposure(stops);
+                    }
+                },
+                problem -> studio.notice(Dialogs.explain(problem)));
+    }
+
+    private void setExposure(OptionalDouble measured) {
+        if (measured.isEmpty()) {
+            studio.notice("The picture is black: its exposure can't be measured");
+            return;
+        }
+        double stops = measured.getAsDouble();
+        studio.endGesture();
+        studio.editOnce("exposure", scene -> PropertyNumbers.EXPOSURE.write(scene, stops));
+        studio.notice("Exposure: " + PropertyNumbers.EXPOSURE.scale().text(stops) + " stops");
     }
 
     /** Starts a recording, or ends the one that is going on. */

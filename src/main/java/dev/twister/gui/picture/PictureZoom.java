@@ -1,5 +1,11 @@
 package dev.twister.gui.picture;
 
+import java.util.Optional;
+import javafx.geometry.Point2D;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.input.ScrollEvent;
+
 /**
  * The visible part of a picture and its magnification, relative to the size at which all of it fits.
  *
@@ -9,6 +15,9 @@ package dev.twister.gui.picture;
  */
 public record PictureZoom(double factor, double centerX, double centerY) {
     public static final double MOST = 128;
+
+    /** By a notch of the wheel, or a key. */
+    public static final double STEP = 1.25;
 
     /** All of the picture. */
     public static final PictureZoom FIT = new PictureZoom(1, 0.5, 0.5);
@@ -37,6 +46,18 @@ public record PictureZoom(double factor, double centerX, double centerY) {
         private double share(double factor, double center, double place) {
             return (place - start(factor, center)) / (fitted * factor);
         }
+    }
+
+    /**
+     * Lets Ctrl with the wheel magnify a picture, and Ctrl with the mouse move what is magnified. Adds event filters,
+     * which run before the picture's other handlers.
+     */
+    public static void install(PictureView view) {
+        Mouse mouse = new Mouse(view);
+        view.addEventFilter(ScrollEvent.SCROLL, mouse::scrolled);
+        view.addEventFilter(MouseEvent.MOUSE_PRESSED, mouse::pressed);
+        view.addEventFilter(MouseEvent.MOUSE_DRAGGED, mouse::dragged);
+        view.addEventFilter(MouseEvent.MOUSE_RELEASED, mouse::released);
     }
 
     public boolean isFit() {
@@ -70,5 +91,45 @@ public record PictureZoom(double factor, double centerX, double centerY) {
                 factor,
                 across.share(factor, centerX, across.view() / 2 - right),
                 down.share(factor, centerY, down.view() / 2 - lower));
+    }
+
+    /** Magnifies the picture with Ctrl and the wheel, and moves what is magnified with Ctrl and the mouse. */
+    private static final class Mouse {
+        private final PictureView view;
+        private Optional<Point2D> held = Optional.empty();
+
+        private Mouse(PictureView view) {
+            this.view = view;
+        }
+
+        private void scrolled(ScrollEvent event) {
+            if (event.isShortcutDown()) {
+                view.zoom(Math.pow(STEP, event.getDeltaY() / event.getMultiplierY()), event.getX(), event.getY());
+                event.consume();
+            }
+        }
+
+        private void pressed(MouseEvent event) {
+            held = Optional.of(new Point2D(event.getX(), event.getY()))
+                    .filter(_ -> event.getButton() == MouseButton.PRIMARY && event.isShortcutDown() && view.isZoomed());
+            if (held.isPresent()) {
+                event.consume();
+            }
+        }
+
+        private void dragged(MouseEvent event) {
+            held.ifPresent(from -> {
+                view.moveZoomed(event.getX() - from.getX(), event.getY() - from.getY());
+                held = Optional.of(new Point2D(event.getX(), event.getY()));
+                event.consume();
+            });
+        }
+
+        private void released(MouseEvent event) {
+            if (held.isPresent()) {
+                held = Optional.empty();
+                event.consume();
+            }
+        }
     }
 }

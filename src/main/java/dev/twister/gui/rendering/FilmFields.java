@@ -2,6 +2,7 @@ package dev.twister.gui.rendering;
 
 import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.PlainBox;
+import dev.twister.gui.rendering.WindowOrder.FilmMotion;
 import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.render.FrameRange;
 import dev.twister.scene.Scene;

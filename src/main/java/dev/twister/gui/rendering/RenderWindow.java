@@ -20,7 +20,7 @@ import javafx.stage.Stage;
 final class RenderWindow {
     private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
 
-    private final Stage stage = new Stage();
+    private final Stage stage;
     private final RenderForm form;
     private final Button render = button("render-start", "_Render…");
     private final Button cancel = button("render-cancel", "_Cancel render");
@@ -40,10 +40,6 @@ final class RenderWindow {
      */
     RenderWindow(Stage owner, RenderForm form, Runnable start, Runnable stop) {
         this.form = form;
-        stage.initOwner(owner);
-        OwnedWindows.center(stage, owner);
-        stage.setTitle("Render to file");
-        stage.setResizable(false);
         Button close = button("render-close", "Close");
         render.setDefaultButton(true);
         render.setOnAction(_ -> start.run());
@@ -53,7 +49,6 @@ final class RenderWindow {
             stop.run();
         });
         close.setCancelButton(true);
-        close.setOnAction(_ -> stage.hide());
         bar.setId("render-bar");
         bar.setMaxWidth(Double.MAX_VALUE);
         state.setId("render-state");
@@ -65,9 +60,9 @@ final class RenderWindow {
         VBox page = new VBox(form, new VBox(bar, state, waiting), buttons);
         page.setId("render-page");
         page.getStyleClass().add("page");
-        Scene scene = new Scene(page);
-        scene.getStylesheets().setAll(owner.getScene().getStylesheets());
-        stage.setScene(scene);
+        stage = OwnedWindows.create(owner, "Render to file", new Scene(page));
+        stage.setResizable(false);
+        close.setOnAction(_ -> stage.hide());
         form.complaintProperty().subscribe(_ -> refresh());
         form.heightProperty().subscribe(_ -> stage.sizeToScene());
         waiting.heightProperty().subscribe(_ -> stage.sizeToScene());

@@ -1,16 +1,24 @@
 package dev.twister.gui.studio;
 
+import dev.twister.gui.drawing.DrawingRequest.Motion;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.edit.BodyEdits;
 import dev.twister.gui.edit.BodyExtent;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.SelectedBodies;
+import dev.twister.physics.SameSpheres;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.property.SceneLimits;
+import dev.twister.world.Bodies;
 import dev.twister.world.SceneMeshes;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import javafx.beans.value.ObservableValue;
 
 /** Where the scene's bodies are in the picture that is shown, in which physics may have moved them. */
@@ -68,5 +76,100 @@ public final class PresentBodies {
     /** The meshes of the picture. */
     public SceneMeshes meshes() {
         return picture.getValue().map(DrawnPicture::meshes).orElse(SceneMeshes.NONE);
+    }
+
+    /**
+     * A scene whose spheres may have been moved by physics.
+     *
+     * @param standing the scene with its spheres at their initial places
+     * @param seen the picture that shows their present places; empty if they have not moved
+     */
+    record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
+        /**
+         * An edit of moving bodies.
+         *
+         * @param before the scene that undo restores: a sphere that the edit moves is at its displayed place
+         * @param after the edited scene: all other spheres keep their initial places
+         */
+        record Edit(Scene before, Scene after) {}
+
+        /** The scene as a picture shows it; unmoved if physics is off or the picture is of another start. */
+        static MovedScene of(Scene scene, Motion motion, Optional<DrawnPicture> picture) {
+            return new MovedScene(
+                    scene,
+                    picture.filter(
+                            shown -> motion.isOn() && shown.request().motion().start() == motion.start()));
+        }
+
+        /** The position of a sphere, by its index. */
+        Vector3 position(int index) {
+            int[] same = sameInPicture();
+            return position(same, index);
+        }
+
+        /** The scene with its spheres at their present places. */
+        Scene asSeen() {
+            return standing.withSpheres(spheresAsSeen());
+        }
+
+        private List<Sphere> spheresAsSeen() {
+            List<Sphere> stand = standing.spheres();
+            int[] same = sameInPicture();
+            List<Sphere> moved = new ArrayList<>(stand.size());
+            for (int index = 0; index < stand.size(); index++) {
+                moved.add(at(position(same, index), stand.get(index)));
+            }
+            return moved;
+        }
+
+        /** Edits the scene as it is seen. */
+        Edit edit(UnaryOperator<Scene> change) {
+            List<Sphere> stand = standing.spheres();
+            List<Sphere> moved = spheresAsSeen();
+            Scene edited = change.apply(standing.withSpheres(moved));
+            int[] old = SameSpheres.of(moved, edited.spheres());
+            List<Sphere> before = new ArrayList<>(stand);
+            List<Sphere> after = new ArrayList<>(edited.spheres());
+            for (int index = 0; index < old.length; index++) {
+                int number = old[index];
+                if (number != SameSpheres.NONE) {
+                    Vector3 place = moved.get(number).position();
+                    if (place.equals(after.get(index).position())) {
+                        after.set(index, at(stand.get(number).position(), after.get(index)));
+                    } else {
+                        before.set(number, at(place, stand.get(number)));
+                    }
+                }
+            }
+            return new Edit(standing.withSpheres(before), edited.withSpheres(after));
+        }
+
+        /** For each sphere its index in the picture's scene. */
+        private int[] sameInPicture() {
+            return seen.map(shown -> SameSpheres.of(shown.request().scene().spheres(), standing.spheres()))
+                    .orElseGet(() -> new int[0]);
+        }
+
+        private Vector3 position(int[] same, int index) {
+            Vector3 start = standing.spheres().get(index).position();
+            return seen.filter(shown -> same[index] != SameSpheres.NONE
+                            // A sphere that was edited since then is at its new place.
+                            && shown.request()
+                                    .scene()
+                                    .spheres()
+                                    .get(same[index])
+                                    .position()
+                                    .equals(start))
+                    .map(shown -> place(shown.input().bodies(), BodyNumber.ofSphere(same[index])))
+                    .orElse(start);
+        }
+
+        private static Vector3 place(Bodies bodies, int body) {
+            return SceneLimits.POSITION.clamp(bodies.centerInScene(body));
+        }
+
+        private static Sphere at(Vector3 place, Sphere sphere) {
+            return sphere.withPosition(place);
+        }
     }
 }

@@ -109,11 +109,8 @@ public final class Selection {
 
     /** Removes bodies whose numbers have changed their meaning. */
     void follow(Scene before, Scene now) {
-        boolean renumbered = before.lights().count() != now.lights().count()
-                || before.spheres().size() != now.spheres().size()
-                || before.meshes().size() != now.meshes().size();
         // A poured sphere is no body of the scene; the others keep their numbers unless bodies were added or deleted.
-        if (renumbered || BodyEdits.isPoured(before, active())) {
+        if (BodyEdits.haveOtherCounts(before, now) || BodyEdits.isPoured(before, active())) {
             set(bodies.get()
                     .where(body -> !BodyEdits.isRenumbered(before, now, body) && BodyEdits.isSelectable(now, body)));
         }

@@ -143,7 +143,7 @@ public final class Studio implements AutoCloseable {
                 .map(request -> new PictureBodies(
                         request.scene(),
                         document.scene(),
-                        request.number() < numbered || hasOtherCounts(request.scene(), document.scene())));
+                        request.number() < numbered || BodyEdits.haveOtherCounts(request.scene(), document.scene())));
     }
 
     /** The samples per pixel of the picture; empty unless it is finished and no other is being drawn. */
@@ -237,7 +237,7 @@ public final class Studio implements AutoCloseable {
     public void edit(String what, UnaryOperator<Scene> change) {
         Scene edited = change.apply(scene());
         if (motion.isOn() && !edited.spheres().equals(scene().spheres())) {
-            MovedScene.Edit edit = bodies.moved().edit(change);
+            PresentBodies.MovedScene.Edit edit = bodies.moved().edit(change);
             document.carryOnMoved(edit.before());
             document.edit(what, _ -> edit.after());
         } else {
@@ -245,13 +245,18 @@ public final class Studio implements AutoCloseable {
         }
     }
 
+    /** Changes the scene as {@link #edit} does, and ends the gesture. */
+    public void editOnce(String what, UnaryOperator<Scene> change) {
+        edit(what, change);
+        endGesture();
+    }
+
     /** Adds spheres and meshes, and lights, to the scene as an edit of its own, and selects them. */
     public void insert(String what, List<Body> added, List<Light> lights) {
-        edit(what, standing -> {
+        editOnce(what, standing -> {
             Scene more = standing.withBodies(standing.bodies().with(added));
             return lights.isEmpty() ? more : more.withLights(more.lights().with(lights));
         });
-        endGesture();
         List<Integer> numbers = new ArrayList<>(BodyEdits.numbersOfLast(scene(), added));
         int before = scene().lights().count() - lights.size();
         IntStream.range(0, lights.size()).forEach(index -> numbers.add(BodyNumber.ofLight(before + index)));
@@ -346,8 +351,7 @@ public final class Studio implements AutoCloseable {
      */
     public void restore(OpenedScene before, Scene edited) {
         show(before);
-        edit("restored changes", _ -> edited);
-        endGesture();
+        editOnce("restored changes", _ -> edited);
         document.markUnsaved();
     }
 
@@ -358,8 +362,7 @@ public final class Studio implements AutoCloseable {
 
     /** Makes a panorama the sky; if it is the sky already, the picture is drawn again with the file's new content. */
     public void useSky(Path panorama) {
-        edit("sky", now -> now.withSky(now.sky().withFile(panorama)));
-        endGesture();
+        editOnce("sky", now -> now.withSky(now.sky().withFile(panorama)));
         request();
     }
 
@@ -416,15 +419,9 @@ public final class Studio implements AutoCloseable {
     }
 
     private void changing(Scene before, Scene now) {
-        if (hasOtherCounts(before, now) || TagEdits.hideOthers(before, now)) {
+        if (BodyEdits.haveOtherCounts(before, now) || TagEdits.hideOthers(before, now)) {
             numbered = requests + 1;
         }
-    }
-
-    private static boolean hasOtherCounts(Scene one, Scene other) {
-        return one.lights().count() != other.lights().count()
-                || one.spheres().size() != other.spheres().size()
-                || one.meshes().size() != other.meshes().size();
     }
 
     private void changed(Scene before, Scene now) {

@@ -98,8 +98,7 @@ public final class TagActions {
         Scene edited = TagEdits.edited(studio.scene(), bodies, change);
         if (!TagEdits.areSame(edited, studio.scene())) {
             studio.endGesture();
-            studio.edit(what, scene -> TagEdits.edited(scene, bodies, change));
-            studio.endGesture();
+            studio.editOnce(what, scene -> TagEdits.edited(scene, bodies, change));
         }
     }
 }

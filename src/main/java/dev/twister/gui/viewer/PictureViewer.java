@@ -45,23 +45,16 @@ public final class PictureViewer {
     }
 
     private void show(Path file, ViewedPicture picture) {
-        Stage stage = new Stage();
-        stage.initOwner(owner);
-        OwnedWindows.center(stage, owner);
-        stage.setTitle(
-                file.getFileName() + picture.part().map(part -> ", " + part).orElse("") + " – Twister");
         ViewerPane pane = new ViewerPane(
                 picture, tasks, () -> studio.pictureProperty().get().map(shown -> ShownRadiance.of(studio, shown)));
         Scene scene = new Scene(pane, WIDTH, HEIGHT);
-        scene.getStylesheets().setAll(owner.getScene().getStylesheets());
         scene.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
-            if (event.getCode() == KeyCode.ESCAPE) {
-                stage.hide();
-            } else if (event.getCode() == KeyCode.F) {
+            if (event.getCode() == KeyCode.F) {
                 pane.flip();
             }
         });
-        stage.setScene(scene);
-        stage.show();
+        String title =
+                file.getFileName() + picture.part().map(part -> ", " + part).orElse("") + " – Twister";
+        OwnedWindows.createHiddenByEscape(owner, title, scene).show();
     }
 }

@@ -55,9 +55,9 @@ class BodyMaterialsTest {
 
     @Test
     void aNamedMaterialIsEditedForAllThatHaveIt() {
-        SharedMaterial glass = SharedMaterial.of(scene, FIRST).orElseThrow();
+        BodyMaterials.Shared glass = BodyMaterials.Shared.of(scene, FIRST).orElseThrow();
 
-        assertThat(glass).isEqualTo(new SharedMaterial("glass", List.of(Layout.PLANE, FIRST)));
+        assertThat(glass).isEqualTo(new BodyMaterials.Shared("glass", List.of(Layout.PLANE, FIRST)));
         Scene edited = glass.edited(scene, old -> old.withRoughness(0.5));
         assertThat(edited.materials()).containsEntry("glass", GLASS.withRoughness(0.5));
         assertThat(edited.ground().material()).isEqualTo(GLASS.withRoughness(0.5));
@@ -67,7 +67,7 @@ class BodyMaterialsTest {
 
     @Test
     void aMaterialThatComesToEqualAnotherOneOnTheWayTakesNoBodyOfItAlong() {
-        SharedMaterial glass = SharedMaterial.of(scene, FIRST).orElseThrow();
+        BodyMaterials.Shared glass = BodyMaterials.Shared.of(scene, FIRST).orElseThrow();
 
         Scene met = glass.edited(scene, _ -> STEEL);
         Scene beyond = glass.edited(met, _ -> GLASS);
@@ -77,8 +77,8 @@ class BodyMaterialsTest {
 
     @Test
     void aBodyWithAMaterialOfItsOwnSharesNone() {
-        assertThat(SharedMaterial.of(scene, FIRST + 2)).isEmpty();
-        SharedMaterial glass = SharedMaterial.of(scene, FIRST).orElseThrow();
+        assertThat(BodyMaterials.Shared.of(scene, FIRST + 2)).isEmpty();
+        BodyMaterials.Shared glass = BodyMaterials.Shared.of(scene, FIRST).orElseThrow();
         assertThat(glass.isIn(BodyMaterials.edited(scene, FIRST, _ -> STEEL))).isFalse();
         assertThat(glass.isIn(scene.withSpheres(List.of()))).isFalse();
     }

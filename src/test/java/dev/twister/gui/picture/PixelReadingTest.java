@@ -7,6 +7,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.edit.BodyNumber;
 import dev.twister.gui.edit.Scenes;
+import dev.twister.gui.picture.PixelInspector.PixelReading;
 import dev.twister.image.Frame;
 import dev.twister.scene.Rgb;
 import dev.twister.world.FrameInput;

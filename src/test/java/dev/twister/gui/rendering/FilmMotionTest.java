@@ -3,6 +3,7 @@ package dev.twister.gui.rendering;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.edit.Scenes;
+import dev.twister.gui.rendering.WindowOrder.FilmMotion;
 import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.render.FrameRange;
 import dev.twister.scene.Camera;

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.edit.Scenes;
+import dev.twister.gui.rendering.WindowOrder.FilmMotion;
 import dev.twister.gui.rendering.WindowOrder.FilmPlan;
 import dev.twister.gui.rendering.WindowOrder.MovingScene;
 import dev.twister.render.FrameRange;
@@ -41,7 +42,7 @@ class RenderJobTest {
         List<Double> parts = new ArrayList<>();
 
         start("film.apng", 3, _ -> {
-            JobProgress progress = running.join().progress();
+            RenderJob.JobProgress progress = running.join().progress();
             told.add(progress.text());
             parts.add(progress.part().orElseThrow());
             nanos.addAndGet(TimeUnit.SECONDS.toNanos(40));

@@ -1,8 +1,9 @@
-package dev.twister.gui.gallery;
+package dev.twister.gui.files;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.WindowDriver;
+import dev.twister.gui.files.SceneGallery.Thumbnails;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

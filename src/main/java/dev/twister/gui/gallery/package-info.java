@@ -1,2 +1,0 @@
-/** The start page: shipped and recent scenes as pictures. */
-package dev.twister.gui.gallery;
