@@ -34,15 +34,15 @@ final class Bounds {
 
     private void hold(float[] floats, int from, int to, int stride, boolean boxes) {
         float leastX = NOWHERE;
-        float mostX = -NOWHERE;
+        float greatestX = -NOWHERE;
         float startX = NOWHERE;
         float endX = -NOWHERE;
         float leastY = NOWHERE;
-        float mostY = -NOWHERE;
+        float greatestY = -NOWHERE;
         float startY = NOWHERE;
         float endY = -NOWHERE;
         float leastZ = NOWHERE;
-        float mostZ = -NOWHERE;
+        float greatestZ = -NOWHERE;
         float startZ = NOWHERE;
         float endZ = -NOWHERE;
         for (int at = from; at < to; at += stride) {
@@ -57,21 +57,21 @@ final class Bounds {
             float highZ = boxes ? floats[at + 5] : floats[at + 2] + radius;
             float z = boxes ? 0.5f * (lowZ + highZ) : floats[at + 2];
             leastX = Math.min(leastX, lowX);
-            mostX = Math.max(mostX, highX);
+            greatestX = Math.max(greatestX, highX);
             startX = Math.min(startX, x);
             endX = Math.max(endX, x);
             leastY = Math.min(leastY, lowY);
-            mostY = Math.max(mostY, highY);
+            greatestY = Math.max(greatestY, highY);
             startY = Math.min(startY, y);
             endY = Math.max(endY, y);
             leastZ = Math.min(leastZ, lowZ);
-            mostZ = Math.max(mostZ, highZ);
+            greatestZ = Math.max(greatestZ, highZ);
             startZ = Math.min(startZ, z);
             endZ = Math.max(endZ, z);
         }
-        set(0, leastX, mostX, startX, endX);
-        set(1, leastY, mostY, startY, endY);
-        set(2, leastZ, mostZ, startZ, endZ);
+        set(0, leastX, greatestX, startX, endX);
+        set(1, leastY, greatestY, startY, endY);
+        set(2, leastZ, greatestZ, startZ, endZ);
     }
 
     private void set(int axis, float least, float most, float start, float end) {

@@ -85,6 +85,7 @@ final class Subtree extends RecursiveAction {
         grow(items, node, room, from, to, ancestors);
     }
 
+    @SuppressWarnings("ReferenceEquality") // items that are not opened are themselves
     private void grow(Items whole, int at, int free, int start, int last, int above) {
         Items parts = whole.opened(start, last);
         int first = parts == whole ? start : whole.before(start);
