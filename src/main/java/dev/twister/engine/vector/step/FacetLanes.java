@@ -1,11 +1,11 @@
 package dev.twister.engine.vector.step;
 
 import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.lanes.FacetWeight;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.PacketList;
 import dev.twister.engine.vector.lanes.Sine;
 import dev.twister.engine.vector.lanes.Tile;
-import dev.twister.kernel.Facet;
 import dev.twister.kernel.Noise;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
@@ -218,7 +218,7 @@ public final class FacetLanes {
         float[] t = tile.values;
         for (int k = 0; k < tile.rough.count; k++) {
             int at = tile.rough.places[k];
-            FloatVector weight = weight(
+            FloatVector weight = FacetWeight.of(
                     Lanes.load(t, at + Tile.ROUGHNESS),
                     Lanes.load(t, at + Tile.COSINE_IN),
                     Lanes.load(t, at + Tile.COSINE_OUT));
@@ -252,21 +252,5 @@ public final class FacetLanes {
             y.mul(inverse).intoArray(t, at + Tile.DIRECTION_Y);
             z.mul(inverse).intoArray(t, at + Tile.DIRECTION_Z);
         }
-    }
-
-    /** {@link Facet#weight}: 1 in smooth lanes; 0 where the ray leaves a rough surface on the wrong side. */
-    private static FloatVector weight(FloatVector roughness, FloatVector cosineIn, FloatVector cosineOut) {
-        FloatVector alpha = roughness.mul(roughness);
-        FloatVector squared = alpha.mul(alpha);
-        FloatVector in = lambda(squared, cosineIn).add(1f);
-        FloatVector weight = in.div(in.add(lambda(squared, cosineOut)));
-        return weight.blend(0f, cosineOut.compare(VectorOperators.LE, 0f))
-                .blend(1f, roughness.compare(VectorOperators.LE, 0f));
-    }
-
-    private static FloatVector lambda(FloatVector alphaSquared, FloatVector cosine) {
-        FloatVector squared = Lanes.larger(cosine.mul(cosine), Lanes.all(Facet.LEAST_SQUARE));
-        FloatVector slope = Lanes.all(1f).sub(Lanes.smaller(squared, Lanes.all(1f)));
-        return alphaSquared.mul(slope).div(squared).add(1f).sqrt().mul(0.5f).sub(0.5f);
     }
 }

@@ -1,6 +1,7 @@
 package dev.twister.engine.vector.step;
 
 import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.lanes.Hash;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.PacketList;
 import dev.twister.engine.vector.lanes.Tile;
@@ -45,7 +46,7 @@ final class NumberLanes {
         for (int k = 0; k < packets.count; k++) {
             int at = packets.places[k];
             IntVector pixel = Lanes.truncated(Lanes.load(t, at + from)).add(offset);
-            mixed(pixel.lanewise(VectorOperators.XOR, key)).intoArray(hashes, at + to);
+            Hash.mixed(pixel.lanewise(VectorOperators.XOR, key)).intoArray(hashes, at + to);
         }
     }
 
@@ -56,7 +57,7 @@ final class NumberLanes {
             int at = packets.places[k];
             IntVector first = IntVector.fromArray(Lanes.INTS, hashes, at + column);
             IntVector second = IntVector.fromArray(Lanes.INTS, hashes, at + other);
-            mixed(first.lanewise(VectorOperators.XOR, second)).intoArray(hashes, at + column);
+            Hash.mixed(first.lanewise(VectorOperators.XOR, second)).intoArray(hashes, at + column);
         }
     }
 
@@ -66,7 +67,7 @@ final class NumberLanes {
         for (int k = 0; k < packets.count; k++) {
             int at = packets.places[k] + Tile.UPPER_LEFT;
             IntVector hash = IntVector.fromArray(Lanes.INTS, hashes, at);
-            mixed(hash.lanewise(VectorOperators.XOR, number)).intoArray(hashes, at);
+            Hash.mixed(hash.lanewise(VectorOperators.XOR, number)).intoArray(hashes, at);
         }
     }
 
@@ -95,17 +96,5 @@ final class NumberLanes {
                     .add(Lanes.toFloats(low).mul(Noise.STEP * Noise.STEP * 256f))
                     .intoArray(t, at + column);
         }
-    }
-
-    /** {@link Noise#mixed}. */
-    private static IntVector mixed(IntVector values) {
-        IntVector mixed =
-                folded(values, Noise.FIRST_SHIFT).mul(Noise.FIRST_FACTOR).and(Noise.BITS);
-        mixed = folded(mixed, Noise.SECOND_SHIFT).mul(Noise.SECOND_FACTOR).and(Noise.BITS);
-        return folded(mixed, Noise.THIRD_SHIFT);
-    }
-
-    private static IntVector folded(IntVector values, int shift) {
-        return values.lanewise(VectorOperators.XOR, values.lanewise(VectorOperators.ASHR, shift));
     }
 }
