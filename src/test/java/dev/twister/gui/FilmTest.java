@@ -136,13 +136,16 @@ class FilmTest {
         assertThat(SceneReader.read(file).camera().keyframes()).isEqualTo(camera().keyframes());
     }
 
+    private static <T> List<String> labels(ComboBox<T> list) {
+        return list.getItems().stream().map(list.getConverter()::toString).toList();
+    }
+
     @Tag("slow")
     @Test
     void theListAndTheKeysGoToAKeyframe() {
         setTwo();
         ComboBox<?> list = driver.find("#film-list", ComboBox.class);
-        assertThat(WindowDriver.call(() -> list.getItems().toString()))
-                .isEqualTo("[2 keyframes, 1 of 2: 1 s, 2 of 2: 3 s]");
+        assertThat(WindowDriver.call(() -> labels(list))).containsExactly("2 keyframes", "1 of 2: 1 s", "2 of 2: 3 s");
         driver.run(() -> list.getSelectionModel().select(1));
         assertThat(seconds()).isEqualTo(1);
         assertThat(camera().position().x()).isZero();

@@ -16,8 +16,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
-import javax.management.JMException;
-import javax.management.ObjectName;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -129,22 +127,8 @@ class SoakTest {
 
     private static long usedBytes() {
         for (int i = 0; i < 3; i++) {
-            collectGarbage();
+            Garbage.collect();
         }
         return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();
-    }
-
-    /** The JVM of tests ignores {@code System.gc()}, but counts only living objects for a histogram. */
-    private static void collectGarbage() {
-        try {
-            Object _ = ManagementFactory.getPlatformMBeanServer()
-                    .invoke(
-                            new ObjectName("com.sun.management:type=DiagnosticCommand"),
-                            "gcClassHistogram",
-                            new Object[] {new String[0]},
-                            new String[] {String[].class.getName()});
-        } catch (JMException problem) {
-            throw new IllegalStateException(problem);
-        }
     }
 }
