@@ -121,7 +121,8 @@ public final class Gui {
                         own.autosaves(),
                         shipped,
                         Optional.of(first.opened().file().path()).filter(_ -> first.asked()),
-                        textScale));
+                        textScale,
+                        new MainWindow.HeapMonitor()));
         stage.setOnHidden(_ -> {
             window.close();
             end.complete(window::awaitFiles);

@@ -49,7 +49,7 @@ public final class MainWindow implements AutoCloseable {
     private final PictureView picture;
     private final FrameTimesView frameTimes;
     private final StatusLine status;
-    private final HeapMonitor heap = new HeapMonitor();
+    private final HeapMonitor heap;
     private final Reading reading = new Reading();
     private final Workbench workbench;
     private final Pulses pulses;
@@ -67,6 +67,7 @@ public final class MainWindow implements AutoCloseable {
      * @param shipped the scenes that are offered and never overwritten
      * @param asked the scene's file, if the user named it
      * @param textScale how much larger than usual text is, above 0
+     * @param heap the monitor of the heap, told of each pulse
      */
     record Options(
             FileChoice files,
@@ -75,7 +76,8 @@ public final class MainWindow implements AutoCloseable {
             AutosaveFolder autosaves,
             ShippedFolders shipped,
             Optional<Path> asked,
-            double textScale) {}
+            double textScale,
+            HeapMonitor heap) {}
 
     /**
      * Told of each pulse when it began and when the interface's thread was done with it, by {@link System#nanoTime}.
@@ -88,6 +90,7 @@ public final class MainWindow implements AutoCloseable {
     MainWindow(Stage stage, Studio studio, Options options) {
         this.stage = stage;
         this.studio = studio;
+        heap = options.heap();
         picture = new PictureView(studio);
         frameTimes = new FrameTimesView(studio, picture.widthProperty());
         StackPane middle = new StackPane(picture, frameTimes);
@@ -227,12 +230,13 @@ public final class MainWindow implements AutoCloseable {
         private volatile long livingBytes;
         private long lookedNanos;
 
+        /** A monitor of this JVM's heap. */
         HeapMonitor() {
             this(() -> Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory(), System::gc);
         }
 
         /**
-         * One of another heap than this JVM's.
+         * A monitor of another heap than this JVM's.
          *
          * @param usedBytes the used part of the heap, garbage included
          * @param collect returns when that is collected

@@ -36,7 +36,7 @@ class MainWindowTest {
     @Test
     void atRestNoAnimationAsksForPulses() {
         // A caret blinks until its field is collected, in windows that other tests have closed, too.
-        Garbage.collect();
+        System.gc();
         try (WindowDriver driver = WindowDriver.openWithPanel()) {
             // The panel's numbers and their fields change.
             expose(driver, 1);

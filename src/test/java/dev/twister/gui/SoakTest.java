@@ -127,7 +127,7 @@ class SoakTest {
 
     private static long usedBytes() {
         for (int i = 0; i < 3; i++) {
-            Garbage.collect();
+            System.gc();
         }
         return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();
     }

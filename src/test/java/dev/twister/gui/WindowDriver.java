@@ -107,7 +107,9 @@ public final class WindowDriver implements AutoCloseable {
                         autosaves,
                         new ShippedFolders(Path.of("scenes"), Path.of("skyboxes")),
                         Optional.of(Path.of("test.json")),
-                        textScale));
+                        textScale,
+                        // The heap of tests holds every window before this one, and takes long to collect.
+                        new MainWindow.HeapMonitor(() -> 0, () -> {})));
         ((Labeled) stage.getScene().getRoot().lookup("#notice")).textProperty().subscribe(text -> {
             if (!text.isEmpty()) {
                 notice = text;
