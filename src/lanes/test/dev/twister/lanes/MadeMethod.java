@@ -11,6 +11,8 @@ import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.net.URI;
+import java.net.URISyntaxException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.tools.ForwardingJavaFileManager;
@@ -41,7 +43,13 @@ final class MadeMethod {
                 .invoke(PathColumns.WIDTH, root.floats, root.ints, root.masks, root.lists);
     }
 
-    private static byte[] compiled(String name, String text) throws IOException {
+    private static byte[] compiled(String name, String text) throws IOException, URISyntaxException {
+        // The class path of the tests names many more, through each of which javac looks for a name.
+        Path classes = Path.of(PathColumns.class
+                .getProtectionDomain()
+                .getCodeSource()
+                .getLocation()
+                .toURI());
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         JavaFileObject source =
@@ -67,12 +75,7 @@ final class MadeMethod {
                 }
             };
             List<String> options = List.of(
-                    "-nowarn",
-                    "-proc:none",
-                    "--add-modules",
-                    "jdk.incubator.vector",
-                    "-cp",
-                    System.getProperty("java.class.path"));
+                    "-nowarn", "-proc:none", "--add-modules", "jdk.incubator.vector", "-cp", classes.toString());
             if (!compiler.getTask(null, memory, null, options, null, List.of(source))
                     .call()) {
                 throw new IOException("the lanes of " + name + " do not compile");
