@@ -44,7 +44,7 @@ final class MadeMethod {
     }
 
     private static byte[] compiled(String name, String text) throws IOException, URISyntaxException {
-        // The class path of the tests names many more, through each of which javac looks for a name.
+        // With the whole class path of the tests, javac looks for each name in every library.
         Path classes = Path.of(PathColumns.class
                 .getProtectionDomain()
                 .getCodeSource()

@@ -152,8 +152,9 @@ class FilmTest {
         driver.type(Command.NEXT_KEYFRAME.keys());
         assertThat(seconds()).isEqualTo(3);
         assertThat(camera().position().x()).isEqualTo(4);
-        assertThat(WindowDriver.call(list.getSelectionModel()::getSelectedIndex))
-                .isEqualTo(2);
+        assertThat(WindowDriver.call(
+                        () -> labels(list).get(list.getSelectionModel().getSelectedIndex())))
+                .isEqualTo("2 of 2: 3 s");
         driver.type(Command.NEXT_KEYFRAME.keys());
         assertThat(driver.notice()).isEqualTo("No later keyframe");
         driver.type(Command.PREVIOUS_KEYFRAME.keys());

@@ -8,7 +8,7 @@ package dev.twister.world.hierarchy;
  */
 @SuppressWarnings("ArrayRecordComponent") // reordered in place
 record Boxes(float[] sides, int[] numbers) {
-    /** Instead of an axis: the sum of a box's sides. */
+    /** Instead of an axis: the sum of a box's extents. */
     static final int SIZE = 3;
 
     /**
@@ -33,12 +33,12 @@ record Boxes(float[] sides, int[] numbers) {
         return head;
     }
 
-    /** Adds a box of some spheres to the bins by an axis. */
+    /** Adds a box to the bins by an axis, as the box of so many spheres. */
     void add(int box, int spheres, int axis, Bins bins) {
         bins.add(bins.bin(coordinate(box, axis)), spheres, sides, 6 * box);
     }
 
-    /** Of a box's center along an axis, or its size. */
+    /** The coordinate of a box's center along an axis, or the box's {@link #SIZE}. */
     float coordinate(int box, int axis) {
         int at = 6 * box;
         return axis == SIZE

@@ -7,6 +7,7 @@ import dev.twister.kernel.Layout;
  *
  * @param floats has the hierarchy
  * @param first place of the first sphere
+ * @param mostInLeaf largest number of spheres in a leaf
  */
 @SuppressWarnings("ArrayRecordComponent") // reordered in place
 record Spheres(float[] floats, int first, int mostInLeaf) implements Subtree.Items {
